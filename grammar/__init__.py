@@ -1,0 +1,1 @@
+"""minipov: the grammar room."""

@@ -1,0 +1,1 @@
+"""minipov: the interpreter room."""

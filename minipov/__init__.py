@@ -1,0 +1,1 @@
+"""minipov: the minipov room."""

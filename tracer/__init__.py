@@ -1,0 +1,1 @@
+"""minipov: the tracer room."""
