@@ -1,4 +1,8 @@
-//! The ray tracing core of minipov: a prepared scene in, linear colour out.
+//! The ray tracing core of minipov: a scene graph in, linear colour out.
+#![warn(missing_docs)]
+
+pub mod color;
+pub mod math;
 
 #[cfg(feature = "python")]
 mod python;

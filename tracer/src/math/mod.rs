@@ -1,0 +1,11 @@
+//! Vectors, transforms, boxes and rays, in double precision.
+
+mod bounds;
+mod ray;
+mod transform;
+mod vec3;
+
+pub use bounds::Bounds;
+pub use ray::Ray;
+pub use transform::Transform;
+pub use vec3::{vec3, Vec3};
