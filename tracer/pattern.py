@@ -1,0 +1,253 @@
+"""SDL: the patterns that pigments, normals, textures, densities and functions share: ``bozo``, ``checker``, ``gradient x``...
+
+A class per pattern, with the pattern's own parameters; what all patterns share stands in `PatternModifiers`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal, TypeAlias
+
+import numpy as np
+from minipov.tracer.image import ImageMapping
+from minipov.tracer.transform import IDENTITY, Transform
+from minipov.tracer.values import Vec2, Vec3
+from minipov.tracer.warp import Turbulence, Warp
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from minipov.tracer.function import Function
+    from minipov.tracer.objects import Object
+    from minipov.tracer.pigment import Pigment
+
+Wave: TypeAlias = Literal["ramp_wave", "triangle_wave", "sine_wave", "scallop_wave", "cubic_wave", "poly_wave"]
+
+
+@dataclass(frozen=True, slots=True)
+class PatternModifiers:
+    """How a point reaches a pattern and how the value is shaped.
+
+    ``warps`` (transforms among them) stand in source order; ``turbulence`` is the classic modifier, applied after
+    all of them. ``wave`` None means the pattern's own wave. ``noise_generator`` None means the scene's.
+    ``uv_mapping`` evaluates at ``(u, v, 0)`` of the surface instead of the point.
+    """
+
+    warps: tuple[Warp, ...] = ()
+    turbulence: Turbulence | None = None
+    frequency: float = 1.0
+    phase: float = 0.0
+    wave: Wave | None = None
+    poly_exponent: float = 1.0
+    noise_generator: int | None = None
+    uv_mapping: bool = False
+
+    def transformed(self, transform: Transform) -> PatternModifiers:
+        """The same pattern moved by ``transform``; neighbouring transforms are multiplied out."""
+        if transform is IDENTITY:
+            return self
+        warps = self.warps
+        if warps and isinstance(warps[-1], Transform):
+            warps = (*warps[:-1], warps[-1].then(transform))
+        else:
+            warps = (*warps, transform)
+        return PatternModifiers(
+            warps,
+            self.turbulence,
+            self.frequency,
+            self.phase,
+            self.wave,
+            self.poly_exponent,
+            self.noise_generator,
+            self.uv_mapping,
+        )
+
+
+PLAIN = PatternModifiers()
+
+
+@dataclass(frozen=True, slots=True)
+class SimplePattern:
+    """A pattern without parameters of its own, by its keyword.
+
+    ``aoi boxed bozo spotted bumps cells checker cubic cylindrical dents granite hexagon leopard marble onion planar
+    radial ripples spherical square triangular waves wood wrinkles average``
+    """
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Agate:
+    """``agate agate_turb F``."""
+
+    agate_turb: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Brick:
+    """``brick brick_size V mortar F``."""
+
+    brick_size: Vec3 = (8.0, 3.0, 4.5)
+    mortar: float = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class Crackle:
+    """``crackle form V metric F offset F solid``; ``repeat`` (3.8) is the period, 0 none."""
+
+    form: Vec3 = (-1.0, 1.0, 0.0)
+    metric: float = 2.0
+    offset: float = 0.0
+    solid: bool = False
+    repeat: Vec3 = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DensityFile:
+    """``density_file df3 "f.df3" interpolate I``; ``voxels`` has shape (z, y, x), float32 in 0..1."""
+
+    voxels: NDArray[np.float32]
+    interpolate: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Facets:
+    """``facets coords F`` or ``facets size F`` (normals only); exactly one is set."""
+
+    coords: float | None = None
+    size: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionPattern:
+    """``function { ... }`` used as a pattern of x, y, z."""
+
+    function: Function
+
+
+@dataclass(frozen=True, slots=True)
+class Gradient:
+    """``gradient V``."""
+
+    direction: Vec3
+
+
+@dataclass(frozen=True, slots=True)
+class ImageMap:
+    """``image_map { ... }`` in a pigment. Filter and transmit by palette index, or for ``all`` (index None)."""
+
+    mapping: ImageMapping
+    filter: tuple[tuple[int | None, float], ...] = ()
+    transmit: tuple[tuple[int | None, float], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ImagePattern:
+    """``image_pattern { ... }``, and ``bump_map { ... }`` in a normal: the grey value of a picture."""
+
+    mapping: ImageMapping
+
+
+@dataclass(frozen=True, slots=True)
+class Fractal:
+    """``mandel I``, ``julia V2, I``, ``magnet 1|2 mandel|julia``; ``coordinate`` None means the Mandelbrot kind."""
+
+    max_iteration: int
+    coordinate: Vec2 | None = None
+    magnet: int = 0
+    exponent: int = 2
+    exterior: tuple[int, float] = (1, 1.0)
+    interior: tuple[int, float] = (0, 1.0)
+
+
+@dataclass(frozen=True, slots=True)
+class ObjectPattern:
+    """``object { OBJECT }``: 1 inside, 0 outside."""
+
+    object: Object
+
+
+@dataclass(frozen=True, slots=True)
+class Pavement:
+    """``pavement number_of_sides I number_of_tiles I pattern I form I interior I exterior I``."""
+
+    number_of_sides: int = 3
+    number_of_tiles: int = 1
+    pattern: int = 1
+    form: int = 0
+    interior: int = 0
+    exterior: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class PigmentPattern:
+    """``pigment_pattern { ... }``: the grey value of a pigment."""
+
+    pigment: Pigment
+
+
+@dataclass(frozen=True, slots=True)
+class Potential:
+    """``potential { OBJECT threshold B }`` (3.8): the field of a blob or isosurface."""
+
+    object: Object
+    threshold: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Quilted:
+    """``quilted control0 F control1 F``."""
+
+    control0: float = 1.0
+    control1: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Slope:
+    """``slope { V, lo, hi altitude V, lo, hi }``; ``point_at`` says that the direction is a point to look towards."""
+
+    direction: Vec3
+    low: float = 0.0
+    high: float = 1.0
+    point_at: bool = False
+    altitude: Vec3 | None = None
+    altitude_low: float = 0.0
+    altitude_high: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Spiral:
+    """``spiral1 I`` (kind 1) and ``spiral2 I`` (kind 2)."""
+
+    kind: Literal[1, 2]
+    arms: int
+
+
+@dataclass(frozen=True, slots=True)
+class Tiling:
+    """``tiling I``, 1..27."""
+
+    number: int
+
+
+Pattern: TypeAlias = (
+    SimplePattern
+    | Agate
+    | Brick
+    | Crackle
+    | DensityFile
+    | Facets
+    | FunctionPattern
+    | Gradient
+    | ImageMap
+    | ImagePattern
+    | Fractal
+    | ObjectPattern
+    | Pavement
+    | PigmentPattern
+    | Potential
+    | Quilted
+    | Slope
+    | Spiral
+    | Tiling
+)

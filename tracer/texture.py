@@ -1,0 +1,81 @@
+"""SDL: ``texture { pigment {...} normal {...} finish {...} }``, layers, ``texture_map``, ``material_map``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+from minipov.tracer.finish import Finish
+from minipov.tracer.image import ImageMapping
+from minipov.tracer.normal import Normal
+from minipov.tracer.pattern import PLAIN, Pattern, PatternModifiers
+from minipov.tracer.pigment import Pigment
+from minipov.tracer.transform import Transform
+
+
+@dataclass(frozen=True, slots=True)
+class PlainTexture:
+    """One pigment, normal and finish."""
+
+    pigment: Pigment = Pigment()
+    normal: Normal | None = None
+    finish: Finish = Finish()
+
+    def transformed(self, transform: Transform) -> PlainTexture:
+        """The same texture, moved."""
+        normal = self.normal and self.normal.transformed(transform)
+        return PlainTexture(self.pigment.transformed(transform), normal, self.finish)
+
+
+@dataclass(frozen=True, slots=True)
+class LayeredTexture:
+    """Textures on top of each other, the lowest first."""
+
+    layers: tuple[PlainTexture, ...]
+
+    def transformed(self, transform: Transform) -> LayeredTexture:
+        """The same texture, moved."""
+        return LayeredTexture(tuple(layer.transformed(transform) for layer in self.layers))
+
+
+@dataclass(frozen=True, slots=True)
+class TextureMap:
+    """``texture_map { [F texture] ... }``; the numbers are weights under ``average``."""
+
+    entries: tuple[tuple[float, Texture], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TextureList:
+    """The textures of a block pattern (and of ``tiles``), one per kind of block."""
+
+    textures: tuple[Texture, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class PatternTexture:
+    """A pattern chooses between or mixes whole textures."""
+
+    pattern: Pattern
+    blend: TextureMap | TextureList
+    modifiers: PatternModifiers = PLAIN
+
+    def transformed(self, transform: Transform) -> PatternTexture:
+        """The same texture, moved."""
+        return replace(self, modifiers=self.modifiers.transformed(transform))
+
+
+@dataclass(frozen=True, slots=True)
+class MaterialMap:
+    """``material_map { ... }``: a picture's palette index chooses the texture."""
+
+    mapping: ImageMapping
+    textures: tuple[Texture, ...]
+    modifiers: PatternModifiers = PLAIN
+
+    def transformed(self, transform: Transform) -> MaterialMap:
+        """The same texture, moved."""
+        return replace(self, modifiers=self.modifiers.transformed(transform))
+
+
+Texture: TypeAlias = PlainTexture | LayeredTexture | PatternTexture | MaterialMap
