@@ -1,0 +1,67 @@
+"""What can be wrong with a scene, and where.
+
+A place is a plain tuple (file, line, column), 1-based, so that compiled code can hold it as a constant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+Place: TypeAlias = tuple[str, int, int]
+"""File, line, column; both counted from 1."""
+
+NOWHERE: Place = ("", 0, 0)
+
+
+@dataclass(slots=True)
+class SdlError(Exception):
+    """A mistake in the scene that ends the run.
+
+    ``hint`` says what would fix it or what was probably meant; ``stack`` lists the open macro calls and includes, the
+    innermost first, as (what, place of the call).
+    """
+
+    message: str
+    place: Place = NOWHERE
+    hint: str | None = None
+    stack: tuple[tuple[str, Place], ...] = ()
+
+    def __str__(self) -> str:
+        file, line, column = self.place
+        return f"{file}:{line}:{column}: error: {self.message}"
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """One line for the user that does not end the run."""
+
+    kind: Literal["warning", "debug", "note"]
+    text: str
+    place: Place = NOWHERE
+
+
+@dataclass(slots=True)
+class Messages:
+    """Where warnings and ``#debug`` text go; ``sink`` is called as they come."""
+
+    sink: Callable[[Message], None] | None = None
+    all: list[Message] = field(default_factory=list)
+    _said: set[str] = field(default_factory=set)
+
+    def say(self, message: Message) -> None:
+        """Pass a message on."""
+        self.all.append(message)
+        if self.sink is not None:
+            self.sink(message)
+
+    def warn(self, text: str, place: Place = NOWHERE) -> None:
+        """Warn each time."""
+        self.say(Message("warning", text, place))
+
+    def warn_once(self, key: str, text: str, place: Place = NOWHERE) -> None:
+        """Warn the first time that ``key`` comes up."""
+        if key not in self._said:
+            self._said.add(key)
+            self.warn(text, place)

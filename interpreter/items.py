@@ -1,0 +1,80 @@
+"""Items: what a running scene pushes, one after the other, into the block that is open.
+
+SDL is read block by block. ``sphere { <0,0,0>, 1 pigment { rgb x } }`` pushes, in order: the word ``sphere``; then it opens
+a sink named ``sphere``, into which come a vector, a comma, a float, and what the block ``pigment`` gave. When a block
+closes, the construct of its name reads its items (`reader.ItemReader`) and yields one value, pushed into the sink above.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Final, TypeAlias
+
+from minipov.interpreter.errors import NOWHERE, Place
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A keyword that stands as an item by itself (``open``, ``color``, ``area_light``)."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Punctuation:
+    """``,`` or ``;`` between items."""
+
+    text: str
+
+
+COMMA: Final = Punctuation(",")
+SEMICOLON: Final = Punctuation(";")
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """A block whose value needs its name to be understood (``interior_texture {...}``, ``vertex_vectors {...}``).
+
+    Blocks that yield a scene node of one type (``pigment {...}`` a `Pigment`) push the node itself, without this.
+    """
+
+    name: str
+    value: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A bracket ``[ ... ]``: an entry of a map. Its items are kept, for the map to read."""
+
+    items: tuple[Item, ...]
+    places: tuple[Place, ...]
+
+
+Item: TypeAlias = Any
+"""A `Word`, `Punctuation`, `Block`, `Entry`, NumPy array (a bulk run of literals), or a value of SDL: float, `Vector`,
+str, `Array`, function, spline, map, `Transform`, or any node of the scene graph."""
+
+
+@dataclass(slots=True)
+class Sink:
+    """An open block: its name (the word before the brace, "" for none, "file" at top level) and its items so far."""
+
+    name: str
+    place: Place = NOWHERE
+    parent: Sink | None = None
+    items: list[Item] = field(default_factory=list)
+    places: list[Place] = field(default_factory=list)
+
+    def push(self, item: Item, place: Place) -> None:
+        """Add one item."""
+        self.items.append(item)
+        self.places.append(place)
+
+    def within(self, *names: str) -> bool:
+        """Whether one of the blocks around this one has one of these names."""
+        sink = self.parent
+        while sink is not None:
+            if sink.name in names:
+                return True
+            sink = sink.parent
+        return False

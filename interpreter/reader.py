@@ -1,0 +1,184 @@
+"""Reading the items of a closed block: what a construct (``sphere``, ``pigment``, ``camera``) is written with."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NoReturn, TypeVar
+
+from minipov.interpreter.errors import Place, SdlError
+from minipov.interpreter.items import COMMA, Block, Item, Word
+from minipov.interpreter.values import Vector
+from minipov.tracer.values import Rgb, Rgbft, Vec2, Vec3, Vec4
+
+T = TypeVar("T")
+
+
+class ItemReader:
+    """A cursor over a block's items. ``name`` is the block's; ``end_place`` that of its closing brace."""
+
+    def __init__(self, name: str, items: Sequence[Item], places: Sequence[Place], end_place: Place) -> None:
+        self.name = name
+        self._items = items
+        self._places = places
+        self._end_place = end_place
+        self._at = 0
+
+    # --- looking ---
+
+    @property
+    def at_end(self) -> bool:
+        """Whether every item has been read."""
+        return self._at >= len(self._items)
+
+    @property
+    def place(self) -> Place:
+        """Where the next item stands."""
+        return self._end_place if self.at_end else self._places[self._at]
+
+    def peek(self) -> Item:
+        """The next item, or None at the end."""
+        return None if self.at_end else self._items[self._at]
+
+    def next_is(self, *words: str) -> bool:
+        """Whether the next item is one of these keywords."""
+        item = self.peek()
+        return isinstance(item, Word) and item.name in words
+
+    # --- taking ---
+
+    def take(self) -> Item:
+        """The next item, whatever it is."""
+        if self.at_end:
+            self.fail("something more")
+        item = self._items[self._at]
+        self._at += 1
+        return item
+
+    def comma(self) -> None:
+        """Pass over an optional comma."""
+        if self.peek() is COMMA:
+            self._at += 1
+
+    def word(self, *words: str) -> str | None:
+        """The next item if it is one of these keywords (any keyword, if none are given), else None."""
+        item = self.peek()
+        if isinstance(item, Word) and (not words or item.name in words):
+            self._at += 1
+            return item.name
+        return None
+
+    def node(self, kind: type[T] | tuple[type[T], ...]) -> T | None:
+        """The next item if it is a value of this type, else None."""
+        item = self.peek()
+        if isinstance(item, kind):
+            self._at += 1
+            return item
+        return None
+
+    def block(self, name: str) -> Any:
+        """The value of the next item if it is a `Block` of this name, else None."""
+        item = self.peek()
+        if isinstance(item, Block) and item.name == name:
+            self._at += 1
+            return item.value
+        return None
+
+    def fail(self, expected: str, hint: str | None = None) -> NoReturn:
+        """Stop with 'expected ..., found ...' at the next item."""
+        raise SdlError(f"{self.name}: expected {expected}, found {describe(self.peek())}", self.place, hint)
+
+    # --- numbers, vectors, colours ---
+
+    def terms(self, what: str, most: int) -> tuple[float, ...]:
+        """A float (one term) or vector of at most ``most`` terms, with an optional comma before it."""
+        self.comma()
+        item = self.peek()
+        if isinstance(item, float):
+            self._at += 1
+            return (item,)
+        if isinstance(item, Vector):
+            if len(item) > most:
+                self.fail(what)
+            self._at += 1
+            return item
+        self.fail(what)
+
+    def is_number(self) -> bool:
+        """Whether the next item (after an optional comma) is a float or vector."""
+        at = self._at + (self.peek() is COMMA)
+        return at < len(self._items) and isinstance(self._items[at], float | Vector)
+
+    def float(self) -> float:
+        """A float."""
+        return self.terms("a number", 1)[0]
+
+    def integer(self) -> int:
+        """A float, cut to an integer towards zero."""
+        return int(self.float())
+
+    def boolean(self) -> bool:
+        """An optional float; missing means on."""
+        return self.float() != 0.0 if self.is_number() and self.peek() is not COMMA else True
+
+    def vector2(self) -> Vec2:
+        """Two terms; a float is copied."""
+        a, b = self._promoted("a 2-dimensional vector", 2)
+        return (a, b)
+
+    def vector(self) -> Vec3:
+        """Three terms; a float is copied, a shorter vector padded with zeros."""
+        a, b, c = self._promoted("a vector", 3)
+        return (a, b, c)
+
+    def vector4(self) -> Vec4:
+        """Four terms."""
+        a, b, c, d = self._promoted("a 4-dimensional vector", 4)
+        return (a, b, c, d)
+
+    def _promoted(self, what: str, size: int) -> tuple[float, ...]:
+        terms = self.terms(what, size)
+        return terms * size if len(terms) == 1 else terms + (0.0,) * (size - len(terms))
+
+    def string(self) -> str:
+        """A string, after an optional comma."""
+        self.comma()
+        text = self.node(str)
+        if text is None:
+            self.fail("a string")
+        return text
+
+    def is_color(self) -> bool:
+        """Whether a colour expression starts here (not counting bare floats and vectors)."""
+        item = self.peek()
+        return (isinstance(item, Word) and item.name in COLOR_WORDS) or (isinstance(item, Vector) and len(item) == 5)
+
+    def color(self) -> Rgbft:
+        """A colour: ``[color] rgb V``, a value, and any of ``red F`` ... ``transmit F`` after it."""
+        raise NotImplementedError
+
+    def rgb(self) -> Rgb:
+        """A colour of which only red, green and blue count."""
+        r, g, b, _, _ = self.color()
+        return (r, g, b)
+
+
+COLOR_WORDS = frozenset(
+    ["color", "colour", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "srgbf", "srgbt", "srgbft", "red", "green", "blue", "filter", "transmit", "alpha"]
+)
+
+
+def describe(item: Item) -> str:
+    """An item in the words of an error message."""
+    if item is None:
+        return "the closing brace"
+    if isinstance(item, Word):
+        return f"'{item.name}'"
+    if isinstance(item, Block):
+        return f"a block '{item.name}'"
+    if isinstance(item, float):
+        return f"the number {item:g}"
+    if isinstance(item, Vector):
+        return "a vector" if len(item) < 5 else "a colour"
+    if isinstance(item, str):
+        return "a string"
+    return f"a {type(item).__name__.lower()}"
