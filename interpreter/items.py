@@ -1,8 +1,8 @@
 """Items: what a running scene pushes, one after the other, into the block that is open.
 
-SDL is read block by block. ``sphere { <0,0,0>, 1 pigment { rgb x } }`` pushes, in order: the word ``sphere``; then it opens
-a sink named ``sphere``, into which come a vector, a comma, a float, and what the block ``pigment`` gave. When a block
-closes, the construct of its name reads its items (`reader.ItemReader`) and yields one value, pushed into the sink above.
+SDL is read block by block. ``sphere { <0,0,0>, 1 pigment { rgb x } }`` opens a sink named ``sphere``, into which come a
+vector, a comma, a float, and what the block ``pigment`` gave. When a block closes, the construct of its name reads
+its items (`reader.ItemReader`) and yields one value, pushed into the sink above.
 """
 
 from __future__ import annotations

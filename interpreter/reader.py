@@ -163,7 +163,8 @@ class ItemReader:
 
 
 COLOR_WORDS = frozenset(
-    ["color", "colour", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "srgbf", "srgbt", "srgbft", "red", "green", "blue", "filter", "transmit", "alpha"]
+    ["color", "colour", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "srgbf", "srgbt", "srgbft"]
+    + ["red", "green", "blue", "filter", "transmit", "alpha"]
 )
 
 

@@ -24,14 +24,14 @@ class Constant:
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """The value of parameter ``index`` (0-based); beyond the parameters come the running indices of ``sum``/``prod``."""
+    """Parameter number ``index`` (0-based); beyond the parameters come the running indices of ``sum`` and ``prod``."""
 
     index: int
 
 
 @dataclass(frozen=True, slots=True)
 class Operation:
-    """``operator`` is one of ``+ - * / neg < <= = != >= > & |`` or a float function's keyword (``sin``, ``pow``, ...)."""
+    """``operator`` is one of ``+ - * / neg < <= = != >= > & |`` or the keyword of a float function (``sin``, ...)."""
 
     operator: str
     operands: tuple[Expression, ...]

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 class Image:
     """Pixels of one file, row 0 at the top.
 
-    ``color`` has shape (height, width, 3), float32, not premultiplied; ``alpha`` (height, width), float32, or None where
-    the file has none. A palette file also has ``index`` (height, width), uint16, and its ``palette_size``.
+    ``color`` has shape (height, width, 3), float32, not premultiplied; ``alpha`` (height, width), float32, or None
+    where the file has none. A palette file also has ``index`` (height, width), uint16, and its ``palette_size``.
     ``gray`` says that the file stores one channel of grey.
     """
 

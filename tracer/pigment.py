@@ -38,7 +38,7 @@ class PigmentList:
 
 @dataclass(frozen=True, slots=True)
 class UserDefinedPigment:
-    """3.8 ``user_defined { function{}, ... }``: one function for each of red, green, blue, filter, transmit, or None."""
+    """3.8 ``user_defined { function{} ... }``: a function (or None) each for red, green, blue, filter, transmit."""
 
     functions: tuple[Function | None, ...]
 

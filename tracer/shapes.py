@@ -82,7 +82,10 @@ class Torus:
 
 @dataclass(frozen=True, slots=True)
 class Quadric:
-    """``quadric { <A,B,C>, <D,E,F>, <G,H,I>, J }``: A x² + B y² + C z² + D xy + E xz + F yz + G x + H y + I z + J = 0."""
+    """``quadric { <A,B,C>, <D,E,F>, <G,H,I>, J }``.
+
+    A x² + B y² + C z² + D xy + E xz + F yz + G x + H y + I z + J = 0; negative inside.
+    """
 
     squares: Vec3
     mixed: Vec3
@@ -186,7 +189,10 @@ class Blob:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HeightField:
-    """``height_field { ... }`` on the unit square; ``heights`` (rows, columns) float64 in 0..1, row 0 at z = 1 (image top)."""
+    """``height_field { ... }`` on the unit square.
+
+    ``heights`` (rows, columns), float64 in 0..1, row 0 at z = 1 (the top of the picture).
+    """
 
     heights: NDArray[np.float64]
     water_level: float = 0.0
