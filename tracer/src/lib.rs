@@ -2,6 +2,7 @@
 #![warn(missing_docs)]
 
 pub mod color;
+pub mod graph;
 pub mod math;
 
 #[cfg(feature = "python")]
