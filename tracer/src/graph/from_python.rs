@@ -14,6 +14,7 @@ use crate::math::{Transform, Vec3};
 type Node = Arc<dyn Any + Send + Sync>;
 
 thread_local! {
+    #[allow(clippy::type_complexity)] // one table, read as a whole
     /// Nodes of the scene under conversion; the Python objects are kept so that no address is used twice.
     static NODES: RefCell<HashMap<(usize, TypeId), (Py<PyAny>, Node)>> = RefCell::default();
     static UNSUPPORTED: RefCell<Vec<Unsupported>> = const { RefCell::new(Vec::new()) };

@@ -1,0 +1,19 @@
+//! Names of mirrors that are not written yet, so that their owners can already hold them.
+
+macro_rules! pending {
+    ($($name:ident),*) => {$(
+        /// Mirror to come.
+        #[derive(Clone, Debug, Default)]
+        pub struct $name;
+
+        #[cfg(feature = "python")]
+        impl<'a, 'py> pyo3::FromPyObject<'a, 'py> for $name {
+            type Error = pyo3::PyErr;
+            fn extract(_: pyo3::Borrowed<'a, 'py, pyo3::PyAny>) -> pyo3::PyResult<Self> {
+                Ok($name)
+            }
+        }
+    )*};
+}
+
+pending!(Texture, Interior, LightSource, Function);
