@@ -53,10 +53,8 @@ pub struct MeshCamera {
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "python", derive(pyo3::FromPyObject))]
 pub struct UserDefinedCamera {
-    pub location: Option<[Shared<Function>,
-    pub 3]>,
-    pub direction: Option<[Shared<Function>,
-    pub 3]>,
+    pub location: Option<[Shared<Function>; 3]>,
+    pub direction: Option<[Shared<Function>; 3]>,
 }
 
 /// From where and how the picture is taken.

@@ -2,18 +2,29 @@
 
 #[macro_use]
 mod class_name;
+pub mod atmosphere;
+pub mod camera;
 pub mod finish;
 #[cfg(feature = "python")]
 mod from_python;
+pub mod interior;
+pub mod light;
 pub mod objects;
 mod pending;
+pub mod pigment;
+pub mod scene;
+pub mod settings;
 pub mod shapes;
 mod shared;
+pub mod texture;
 mod values;
 
+pub use interior::Interior;
+pub use light::LightSource;
 pub use objects::{Modifiers, Object, PhotonBehaviour, Shape};
-pub use pending::{Function, Interior, LightSource, Texture};
+pub use pending::{image, normal, pattern, warp, Function};
 pub use shared::{Shared, Unsupported};
+pub use texture::Texture;
 pub use values::{Vec2, Vec4};
 
 #[cfg(feature = "python")]

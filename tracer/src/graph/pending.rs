@@ -16,4 +16,21 @@ macro_rules! pending {
     )*};
 }
 
-pending!(Texture, Interior, LightSource, Function);
+pending!(Function, Pattern, PatternModifiers, ColorMap, Normal, ImageMapping, Turbulence);
+
+#[allow(missing_docs)]
+pub mod pattern {
+    pub use super::{Pattern, PatternModifiers};
+}
+#[allow(missing_docs)]
+pub mod normal {
+    pub use super::Normal;
+}
+#[allow(missing_docs)]
+pub mod image {
+    pub use super::ImageMapping;
+}
+#[allow(missing_docs)]
+pub mod warp {
+    pub use super::Turbulence;
+}
