@@ -1,0 +1,10 @@
+// A camera rotated, moved and scaled after it has been set up
+// class: exact
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0, -6> angle 35 rotate <25, 0, 0> rotate <0, -35, 0> scale <1, 1, 0.9> translate <0.2, 0.5, 0> }
+light_source { <-5, 8, -7>, rgb 1 }
+background { rgb <0.35, 0.45, 0.6> }
+plane { y, 0 pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.3, 0.45, 0.35> } }
+box { <-1, 0, -1>, <0.4, 1.5, 0.3> pigment { rgb <0.8, 0.3, 0.2> } }
+cylinder { <1, 0, 0.5>, <1, 1.2, 0.5>, 0.4 pigment { rgb <0.2, 0.4, 0.8> } }

@@ -1,0 +1,13 @@
+// Clipping leaves holes open
+// class: exact
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <2.4, 2.3, -4.2> look_at <0.05, 0.55, 0> angle 40 }
+light_source { <-5, 8, -7>, rgb 1 }
+light_source { <9, 4, -3>, rgb <0.3, 0.22, 0.15> }
+background { rgb <0.35, 0.45, 0.6> }
+plane { y, 0 pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.4, 0.5, 0.55> scale 0.7 } }
+sphere { <-0.8, 0.8, 0>, 0.8 clipped_by { plane { <0.3, 1, -0.4>, 0.7 } } pigment { rgb <0.8, 0.3, 0.2> } }
+box { <0.2, 0, -0.6>, <1.4, 1.2, 0.6> clipped_by { sphere { <0.6, 0.5, 0>, 0.8 inverse } } pigment { rgb <0.2, 0.5, 0.8> } }
+torus { 0.4, 0.15 clipped_by { box { -1, <0.2, 1, 1> rotate 30*y } } translate <0.2, 0.15, -1.2> pigment { rgb <0.9, 0.8, 0.2> } }

@@ -1,0 +1,18 @@
+// A plate with a grid of holes cut in a loop
+// class: exact
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <2.4, 2.3, -4.2> look_at <0.05, 0.55, 0> angle 40 }
+light_source { <-5, 8, -7>, rgb 1 }
+light_source { <9, 4, -3>, rgb <0.3, 0.22, 0.15> }
+background { rgb <0.35, 0.45, 0.6> }
+plane { y, 0 pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.4, 0.5, 0.55> scale 0.7 } }
+difference {
+  box { <-1.5, 0, -1.2>, <1.3, 0.4, 1.2> pigment { rgb <0.8, 0.5, 0.3> } }
+  #for (I, -4, 4)
+    #for (J, -3, 3)
+      cylinder { <I*0.3, -1, J*0.3>, <I*0.3 + 0.1, 1, J*0.3>, 0.06 + 0.01*mod(I + J + 8, 5) pigment { rgb <0.2, 0.4, 0.7> } }
+    #end
+  #end
+}

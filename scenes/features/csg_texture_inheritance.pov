@@ -1,0 +1,18 @@
+// Which member takes the texture of its parent, and how transforms move it
+// class: exact
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <2.4, 2.3, -4.2> look_at <0.05, 0.55, 0> angle 40 }
+light_source { <-5, 8, -7>, rgb 1 }
+light_source { <9, 4, -3>, rgb <0.3, 0.22, 0.15> }
+background { rgb <0.35, 0.45, 0.6> }
+plane { y, 0 pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.4, 0.5, 0.55> scale 0.7 } }
+#declare Stripes = texture { pigment { gradient x color_map { [0.5 rgb <0.8, 0.3, 0.2>] [0.5 rgb <0.95, 0.9, 0.8>] } scale 0.25 } }
+union {
+  box { <-1.4, 0, -0.5>, <-0.6, 1, 0.5> }
+  box { <-0.4, 0, -0.5>, <0.4, 1, 0.5> texture { Stripes rotate 45*z } }
+  box { <0.6, 0, -0.5>, <1.4, 1, 0.5> rotate 20*z }
+  texture { Stripes }
+  rotate -20*y scale <1, 1.2, 1>
+}

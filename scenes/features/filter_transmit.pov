@@ -1,0 +1,14 @@
+// Filter colours what is behind, transmit does not
+// class: exact
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <2.4, 2.3, -4.2> look_at <0.05, 0.55, 0> angle 40 }
+light_source { <-5, 8, -7>, rgb 1 }
+light_source { <9, 4, -3>, rgb <0.3, 0.22, 0.15> }
+background { rgb <0.35, 0.45, 0.6> }
+plane { y, 0 pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.4, 0.5, 0.55> scale 0.7 } }
+box { <-1.5, 0.1, -0.7>, <-0.5, 1.3, -0.6> pigment { rgbf <0.9, 0.3, 0.2, 0.8> } }
+box { <-0.3, 0.1, -0.7>, <0.6, 1.3, -0.6> pigment { rgbt <0.9, 0.3, 0.2, 0.8> } }
+sphere { <1.2, 0.5, -0.3>, 0.45 pigment { rgbft <0.3, 0.5, 0.9, 0.5, 0.3> } }
+cylinder { <-2, 0.6, 0.8>, <2, 0.8, 0.8>, 0.2 pigment { rgb <0.9, 0.8, 0.2> } }

@@ -1,0 +1,14 @@
+// Images of several formats side by side
+// class: exact
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <2.5, 1.6, -6> look_at <2.1, 1, 0> angle 45 }
+background { rgb 0.3 }
+#declare Places = array[6] { <0, 1.1>, <1.5, 1.1>, <3, 1.1>, <0, 0>, <1.5, 0>, <3, 0> }
+#macro Panel(P, I) box { <0, 0, 0>, <1.3, 1, 0.1> pigment { P scale <1.3, 1, 1> } finish { ambient 1 diffuse 0 } translate Places[I] } #end
+Panel(pigment { image_map { tga "images/flag.tga" } }, 0)
+Panel(pigment { image_map { ppm "images/flag.ppm" } }, 1)
+Panel(pigment { image_map { tiff "images/flag.tif" } }, 2)
+Panel(pigment { image_map { jpeg "images/flag.jpg" } }, 3)
+Panel(pigment { image_map { png "images/hills16.png" } }, 4)
+Panel(pigment { image_map { png "images/badge.png" } }, 5)

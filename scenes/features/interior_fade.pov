@@ -1,0 +1,12 @@
+// Glass that darkens and colours with thickness
+// class: exact
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <2.4, 2.3, -4.2> look_at <0.05, 0.55, 0> angle 40 }
+light_source { <-5, 8, -7>, rgb 1 }
+light_source { <9, 4, -3>, rgb <0.3, 0.22, 0.15> }
+background { rgb <0.35, 0.45, 0.6> }
+plane { y, 0 pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.4, 0.5, 0.55> scale 0.7 } }
+box { <-1.4, 0.05, -0.3>, <-0.3, 1.2, 0.3> pigment { rgbf 0.98 } interior { ior 1.2 fade_distance 0.5 fade_power 2 fade_color <0.1, 0.6, 0.4> } rotate 10*y }
+sphere { <0.7, 0.65, -0.2>, 0.6 pigment { rgbf 0.98 } interior { fade_distance 0.4 fade_power 1001 fade_colour <0.8, 0.4, 0.1> } }

@@ -1,0 +1,11 @@
+// The inside of a bowl has a texture of its own
+// class: exact
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <2.4, 2.3, -4.2> look_at <0.05, 0.55, 0> angle 40 }
+light_source { <-5, 8, -7>, rgb 1 }
+light_source { <9, 4, -3>, rgb <0.3, 0.22, 0.15> }
+background { rgb <0.35, 0.45, 0.6> }
+plane { y, 0 pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.4, 0.5, 0.55> scale 0.7 } }
+sphere { <0, 0.9, 0>, 0.9 clipped_by { plane { <0.2, 1, -0.4>, 0.6 } } texture { pigment { rgb <0.8, 0.3, 0.2> } } interior_texture { pigment { checker rgb <0.9, 0.8, 0.2> rgb <0.3, 0.2, 0.1> scale 0.2 } } }

@@ -1,0 +1,18 @@
+// A mesh2 with uv vectors and uv indices
+// class: exact
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <2.4, 2.3, -4.2> look_at <0.05, 0.55, 0> angle 40 }
+light_source { <-5, 8, -7>, rgb 1 }
+light_source { <9, 4, -3>, rgb <0.3, 0.22, 0.15> }
+background { rgb <0.35, 0.45, 0.6> }
+plane { y, 0 pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.4, 0.5, 0.55> scale 0.7 } }
+mesh2 {
+  vertex_vectors { 4, <-1.6, 0.1, -0.3>, <1.2, 0.1, -0.9>, <1.4, 1.6, 0.2>, <-1.3, 1.7, 0.3> }
+  uv_vectors { 5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0.5, 0.4> }
+  face_indices { 2, <0, 1, 2>, <0, 2, 3> }
+  uv_indices { 2, <0, 1, 2>, <0, 4, 3> }
+  uv_mapping
+  pigment { gradient x color_map { [0 rgb <0.9, 0.8, 0.2>] [0.5 rgb <0.6, 0.2, 0.4>] [1 rgb <0.1, 0.3, 0.6>] } rotate 30*z scale 0.4 }
+}

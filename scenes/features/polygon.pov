@@ -1,0 +1,18 @@
+// Polygons: concave, and with a hole by a sub-polygon
+// class: exact
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <2.4, 2.3, -4.2> look_at <0.05, 0.55, 0> angle 40 }
+light_source { <-5, 8, -7>, rgb 1 }
+light_source { <9, 4, -3>, rgb <0.3, 0.22, 0.15> }
+background { rgb <0.35, 0.45, 0.6> }
+plane { y, 0 pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.4, 0.5, 0.55> scale 0.7 } }
+polygon { 6, <0, 0>, <1, 0.1>, <0.6, 0.6>, <1.1, 1.3>, <-0.1, 1.1>, <0, 0> rotate 25*y translate <-1.5, 0.1, 0> pigment { rgb <0.8, 0.3, 0.2> } }
+polygon {
+  9,
+  <0, 0, 0.1>, <1.3, 0, 0.1>, <1.2, 1.2, 0.1>, <-0.1, 1.4, 0.1>, <0, 0, 0.1>,
+  <0.3, 0.3, 0.1>, <0.9, 0.3, 0.1>, <0.5, 0.9, 0.1>, <0.3, 0.3, 0.1>
+  rotate <20, -15, 0> translate <0.2, 0.1, -0.3>
+  pigment { checker rgb <0.2, 0.5, 0.8> rgb <0.9, 0.8, 0.2> scale 0.25 translate 0.05 }
+}

@@ -1,0 +1,13 @@
+// Flat triangles, seen from both sides
+// class: exact
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <2.4, 2.3, -4.2> look_at <0.05, 0.55, 0> angle 40 }
+light_source { <-5, 8, -7>, rgb 1 }
+light_source { <9, 4, -3>, rgb <0.3, 0.22, 0.15> }
+background { rgb <0.35, 0.45, 0.6> }
+plane { y, 0 pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.4, 0.5, 0.55> scale 0.7 } }
+triangle { <-1.6, 0, 0.3>, <-0.2, 0.1, -0.4>, <-0.8, 1.6, 0.4> pigment { rgb <0.8, 0.3, 0.2> } }
+triangle { <0.1, 0.2, 0.6>, <0.8, 1.7, 0.2>, <1.5, 0.1, -0.6> pigment { rgb <0.2, 0.5, 0.8> } }
+triangle { <0, 0, 1>, <1, 0.1, 0>, <0.2, 0.8, 0.1> scale 0.7 rotate 200*y translate <0.5, 0, -0.9> pigment { rgb <0.9, 0.8, 0.2> } }
