@@ -1,9 +1,16 @@
 //! The ray tracing core of minipov: a scene graph in, linear colour out.
 #![warn(missing_docs)]
+#![deny(unsafe_code)]
 
+pub mod accel;
 pub mod color;
+pub mod csg;
+pub mod geometry;
 pub mod graph;
 pub mod math;
+pub mod shape;
+#[cfg(test)]
+mod testing;
 
 #[cfg(feature = "python")]
 mod python;

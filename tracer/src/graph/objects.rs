@@ -113,6 +113,16 @@ macro_rules! shapes {
             $($shared(Shared<$shared>),)*
         }
 
+        impl Shape {
+            /// The class's name.
+            pub fn name(&self) -> &'static str {
+                match self {
+                    $(Shape::$plain(_) => stringify!($plain),)*
+                    $(Shape::$shared(_) => stringify!($shared),)*
+                }
+            }
+        }
+
         $(impl From<$plain> for Shape {
             fn from(shape: $plain) -> Shape { Shape::$plain(shape) }
         })*

@@ -1,0 +1,62 @@
+//! Boxes around the surface, the inside and the outside of nodes.
+
+use super::node::{overlaps_of_others, Extent, Node, NodeId};
+use crate::csg::Operation;
+use crate::math::{Bounds, Transform, Vec3};
+use crate::shape::{Primitive, Shape};
+
+/// Share of its coordinates by which a box is widened past the rounding of what is inside.
+const MARGIN: f64 = 1e-9;
+
+fn padded(b: Bounds) -> Bounds {
+    if !b.is_finite() {
+        return b;
+    }
+    let reach = b.min.map(f64::abs).max(b.max.map(f64::abs)).max_element();
+    let margin = Vec3::splat(MARGIN * reach);
+    Bounds { min: b.min - margin, max: b.max + margin }
+}
+
+/// Extent of a primitive in its place.
+pub fn of_primitive(shape: &Shape, place: Option<&Transform>, inverse: bool) -> Extent {
+    let bounds = shape.bounds();
+    let surface = padded(place.map_or(bounds, |place| bounds.transformed(place)));
+    let (solid, hollow) = match (shape.solid(), inverse) {
+        (false, _) => (Bounds::EMPTY, Bounds::INFINITE),
+        (true, false) => (surface, Bounds::INFINITE),
+        (true, true) => (Bounds::INFINITE, surface),
+    };
+    Extent { surface, solid, hollow }
+}
+
+/// Extent of several nodes put together.
+pub fn of_composite(operation: Operation, children: &[NodeId], nodes: &[Node]) -> Extent {
+    let extents: Vec<&Extent> = children.iter().map(|&id| &nodes[id as usize].extent).collect();
+    let all = |pick: fn(&Extent) -> Bounds| extents.iter().map(|e| pick(e)).collect::<Vec<_>>();
+    let union = |boxes: &[Bounds]| boxes.iter().fold(Bounds::EMPTY, |sum, b| sum.union(b));
+    let overlap = |boxes: &[Bounds]| boxes.iter().fold(Bounds::INFINITE, |sum, b| sum.intersection(b));
+    // A child's surface counts where the other children let it.
+    let cut = |others: &[Bounds]| {
+        let kept = extents.iter().zip(overlaps_of_others(others)).map(|(e, o)| e.surface.intersection(&o));
+        kept.filter(|b| !b.is_empty()).fold(Bounds::EMPTY, |sum, b| sum.union(&b))
+    };
+    let (surfaces, solids, hollows) = (all(|e| e.surface), all(|e| e.solid), all(|e| e.hollow));
+    match operation {
+        Operation::Union => {
+            Extent { surface: union(&surfaces), solid: union(&solids), hollow: overlap(&hollows) }
+        }
+        Operation::Merge => {
+            Extent { surface: cut(&hollows), solid: union(&solids), hollow: overlap(&hollows) }
+        }
+        Operation::Intersection => {
+            Extent { surface: cut(&solids), solid: overlap(&solids), hollow: union(&hollows) }
+        }
+    }
+}
+
+/// Takes away what a clipping object takes away.
+pub fn clip(extent: &mut Extent, by: &Extent) {
+    extent.surface = extent.surface.intersection(&by.solid);
+    extent.solid = extent.solid.intersection(&by.solid);
+    extent.hollow = extent.hollow.union(&by.hollow);
+}

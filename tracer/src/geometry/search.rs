@@ -1,0 +1,202 @@
+//! Shooting rays: the nearest hit, or any.
+
+use super::{Geometry, Node, NodeId, Solid};
+use crate::accel::{Counters, Query, RayKind};
+use crate::math::{Ray, Vec3};
+use crate::shape::{Crossing, Primitive};
+
+/// Where a ray meets an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Where on the ray, and where on the primitive.
+    pub crossing: Crossing,
+    /// The primitive.
+    pub node: NodeId,
+}
+
+/// What `Geometry::any` is told after each hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// Go on to other hits.
+    Continue,
+    /// Enough.
+    Stop,
+}
+
+impl Geometry {
+    /// The first hit with `from < t <= limit`. Where two surfaces coincide exactly, the later object in the file wins.
+    pub fn nearest(
+        &self,
+        ray: &Ray,
+        from: f64,
+        limit: f64,
+        kind: RayKind,
+        counters: &mut Counters,
+    ) -> Option<Hit> {
+        let mut best: Option<Hit> = None;
+        self.offer_all(ray, from, limit, kind, counters, &mut |hit, limit| match best {
+            Some(b) if hit.crossing.t == b.crossing.t && !wins_tie(&hit, &b) => limit,
+            _ => {
+                best = Some(hit);
+                hit.crossing.t
+            }
+        });
+        best
+    }
+
+    /// Shows every hit with `from < t <= limit`, in no certain order, until told to stop; whether it was.
+    pub fn any(
+        &self,
+        ray: &Ray,
+        from: f64,
+        limit: f64,
+        kind: RayKind,
+        counters: &mut Counters,
+        mut visit: impl FnMut(&Hit) -> Answer,
+    ) -> bool {
+        self.offer_all(ray, from, limit, kind, counters, &mut |hit, limit| match visit(&hit) {
+            Answer::Continue => limit,
+            Answer::Stop => f64::NEG_INFINITY,
+        }) == f64::NEG_INFINITY
+    }
+
+    /// Shows the hits of one object at the top: the occluder that the last shadow ray met, or a bounding object.
+    pub fn any_of(
+        &self,
+        node: NodeId,
+        ray: &Ray,
+        from: f64,
+        limit: f64,
+        counters: &mut Counters,
+        mut visit: impl FnMut(&Hit) -> Answer,
+    ) -> bool {
+        self.offer_node(node, &Query::new(*ray), from, limit, counters, &mut |hit, limit| match visit(&hit) {
+            Answer::Continue => limit,
+            Answer::Stop => f64::NEG_INFINITY,
+        }) == f64::NEG_INFINITY
+    }
+
+    #[inline]
+    fn offer_all(
+        &self,
+        ray: &Ray,
+        from: f64,
+        mut limit: f64,
+        kind: RayKind,
+        counters: &mut Counters,
+        offer: &mut impl FnMut(Hit, f64) -> f64,
+    ) -> f64 {
+        counters.rays[kind as usize] += 1;
+        let query = Query::new(*ray);
+        for &id in &self.infinite {
+            if !self.nodes[id as usize].is_hidden(kind) {
+                limit = self.offer_node(id, &query, from, limit, counters, offer);
+            }
+        }
+        self.tree.along(&query, limit, counters, |item, limit, counters| {
+            let id = self.finite[item as usize];
+            if self.nodes[id as usize].is_hidden(kind) {
+                return limit;
+            }
+            self.offer_node(id, &query, from, limit, counters, offer)
+        })
+    }
+
+    /// Offers the hits of one node.
+    #[inline]
+    pub(crate) fn offer_node<F: FnMut(Hit, f64) -> f64 + ?Sized>(
+        &self,
+        id: NodeId,
+        query: &Query,
+        from: f64,
+        limit: f64,
+        counters: &mut Counters,
+        offer: &mut F,
+    ) -> f64 {
+        let node = &self.nodes[id as usize];
+        if !node.bounded_by.is_empty() && !self.enters_bounds(node, query, counters) {
+            return limit;
+        }
+        if node.clipped_by.is_empty() {
+            return self.offer_unclipped(id, node, query, from, limit, counters, offer);
+        }
+        let mut inside = 0;
+        let limit =
+            self.offer_clipped(id, node, query, from, limit, counters, &mut |hit: Hit, limit: f64| {
+                let point = query.ray.at(hit.crossing.t);
+                if node.clipped_by.iter().all(|&clip| self.is_inside(clip, point, &mut inside)) {
+                    offer(hit, limit)
+                } else {
+                    limit
+                }
+            });
+        counters.inside += inside;
+        limit
+    }
+
+    #[inline(never)]
+    #[allow(clippy::too_many_arguments)] // one ray, one range, one place to count, one to answer
+    fn offer_clipped(
+        &self,
+        id: NodeId,
+        node: &Node,
+        query: &Query,
+        from: f64,
+        limit: f64,
+        counters: &mut Counters,
+        offer: &mut dyn FnMut(Hit, f64) -> f64,
+    ) -> f64 {
+        self.offer_unclipped(id, node, query, from, limit, counters, offer)
+    }
+
+    #[inline]
+    #[allow(clippy::too_many_arguments)]
+    fn offer_unclipped<F: FnMut(Hit, f64) -> f64 + ?Sized>(
+        &self,
+        id: NodeId,
+        node: &Node,
+        query: &Query,
+        from: f64,
+        limit: f64,
+        counters: &mut Counters,
+        offer: &mut F,
+    ) -> f64 {
+        match &node.solid {
+            Solid::Primitive { shape, place } => {
+                let mut with_node = |crossing, limit| offer(Hit { crossing, node: id }, limit);
+                match place {
+                    None => shape.intersect(&query.ray, from, limit, counters, &mut with_node),
+                    Some(place) => {
+                        let ray = place.inverse_ray(&query.ray);
+                        shape.intersect(&ray, from, limit, counters, &mut with_node)
+                    }
+                }
+            }
+            Solid::Composite(composite) => {
+                self.offer_composite(composite, query, from, limit, counters, &mut |hit, limit| {
+                    offer(hit, limit)
+                })
+            }
+        }
+    }
+
+    /// Whether the ray meets every bounding object or starts inside it.
+    fn enters_bounds(&self, node: &Node, query: &Query, counters: &mut Counters) -> bool {
+        node.bounded_by.iter().all(|&bound| {
+            self.is_inside(bound, query.ray.origin, &mut counters.inside.clone())
+                || self.offer_node(bound, query, 0.0, f64::INFINITY, counters, &mut |_: Hit, _: f64| {
+                    f64::NEG_INFINITY
+                }) == f64::NEG_INFINITY
+        })
+    }
+
+    /// Whether `point` lies inside the node.
+    pub fn inside(&self, point: Vec3, node: NodeId) -> bool {
+        self.is_inside(node, point, &mut 0)
+    }
+}
+
+/// Which of two hits at the same point is seen.
+fn wins_tie(challenger: &Hit, holder: &Hit) -> bool {
+    (challenger.node, challenger.crossing.part) > (holder.node, holder.crossing.part)
+}

@@ -1,0 +1,58 @@
+//! What is at a hit.
+
+use super::{Geometry, Hit, NodeId, Solid};
+use crate::math::{Ray, Vec3};
+use crate::shape::Primitive;
+
+/// A point of a surface. Normals have length one and point outward (for an inverse object, inward).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// Where.
+    pub point: Vec3,
+    /// The normal for shading.
+    pub normal: Vec3,
+    /// The normal of the true surface.
+    pub geometric_normal: Vec3,
+    /// The primitive.
+    pub node: NodeId,
+}
+
+impl Geometry {
+    /// Point and normals at a hit of `ray`.
+    pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        let point = ray.at(hit.crossing.t);
+        let node = &self.nodes[hit.node as usize];
+        let Solid::Primitive { shape, place } = &node.solid else {
+            unreachable!("hits are on primitives");
+        };
+        let local = place.as_ref().map_or(point, |place| place.inverse_point(point));
+        let to_world = |normal: Vec3| {
+            let normal = place.as_ref().map_or(normal, |place| place.normal(normal)).normalized();
+            if node.inverse {
+                -normal
+            } else {
+                normal
+            }
+        };
+        Surface {
+            point,
+            normal: to_world(shape.normal(local, &hit.crossing)),
+            geometric_normal: to_world(shape.geometric_normal(local, &hit.crossing)),
+            node: hit.node,
+        }
+    }
+
+    /// Surface coordinates for `uv_mapping`.
+    pub fn uv(&self, hit: &Hit, point: Vec3) -> [f64; 2] {
+        let Solid::Primitive { shape, place } = &self.nodes[hit.node as usize].solid else {
+            unreachable!("hits are on primitives");
+        };
+        shape.uv(place.as_ref().map_or(point, |place| place.inverse_point(point)), &hit.crossing)
+    }
+
+    /// The textures seen at a hit with their shares, for nodes whose looks say `several_textures`.
+    pub fn texture_weights(&self, hit: &Hit, _point: Vec3, weights: &mut Vec<(Option<u32>, f64)>) {
+        weights.clear();
+        weights.push((self.looks(hit.node).texture, 1.0));
+    }
+}

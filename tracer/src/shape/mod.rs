@@ -1,0 +1,166 @@
+//! The primitives, ready to be hit: one file each. Every one stands in its own space and answers five questions.
+//!
+//! An intersection routine *offers* crossings to its caller, who answers with the new limit: the crossing's own `t`
+//! when it is taken, the old limit when it is refused (then the next one is offered), negative infinity to stop. So
+//! one routine serves nearest hits, shadows, clipping and CSG, and returns the last limit.
+
+mod boxes;
+mod plane;
+mod sphere;
+
+pub use boxes::Cuboid;
+pub use plane::Plane;
+pub use sphere::Sphere;
+
+use crate::accel::Counters;
+use crate::math::{Bounds, Ray, Vec3};
+
+/// Where a ray meets a primitive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Parameter of the ray.
+    pub t: f64,
+    /// Which part of the primitive: face, triangle, cap.
+    pub part: u32,
+    /// Coordinates on that part, where it needs them.
+    pub u: f64,
+    /// See `u`.
+    pub v: f64,
+}
+
+impl Crossing {
+    /// A crossing of a primitive with a single part.
+    #[inline]
+    pub fn at(t: f64) -> Crossing {
+        Crossing { t, part: 0, u: 0.0, v: 0.0 }
+    }
+
+    /// A crossing of one part.
+    #[inline]
+    pub fn on(t: f64, part: u32) -> Crossing {
+        Crossing { t, part, u: 0.0, v: 0.0 }
+    }
+}
+
+/// What every primitive answers, in its own space.
+pub trait Primitive {
+    /// Where its surface lies.
+    fn bounds(&self) -> Bounds;
+
+    /// Offers crossings with `from < t <= limit`; see the module.
+    fn intersect(
+        &self,
+        ray: &Ray,
+        from: f64,
+        limit: f64,
+        counters: &mut Counters,
+        offer: &mut impl FnMut(Crossing, f64) -> f64,
+    ) -> f64;
+
+    /// Whether the point lies inside; patches have no inside.
+    fn inside(&self, point: Vec3) -> bool;
+
+    /// Outward normal, of any length, for shading.
+    fn normal(&self, point: Vec3, crossing: &Crossing) -> Vec3;
+
+    /// Outward normal of the true surface where it differs from that for shading.
+    fn geometric_normal(&self, point: Vec3, crossing: &Crossing) -> Vec3 {
+        self.normal(point, crossing)
+    }
+
+    /// Surface coordinates for `uv_mapping`; for shapes that have none, x and y of the point.
+    fn uv(&self, point: Vec3, _crossing: &Crossing) -> [f64; 2] {
+        [point.x, point.y]
+    }
+
+    /// Whether it encloses a volume.
+    fn solid(&self) -> bool {
+        true
+    }
+}
+
+/// Offers parameters that come in rising order.
+#[inline]
+pub fn offer_rising(
+    crossings: impl IntoIterator<Item = Crossing>,
+    from: f64,
+    mut limit: f64,
+    offer: &mut impl FnMut(Crossing, f64) -> f64,
+) -> f64 {
+    for crossing in crossings {
+        if crossing.t > limit {
+            break;
+        }
+        if crossing.t > from {
+            limit = offer(crossing, limit);
+        }
+    }
+    limit
+}
+
+/// The enum over all primitives; each call goes straight to the primitive's own routine.
+macro_rules! primitives {
+    ($($variant:ident($type:ty) = $name:literal),* $(,)?) => {
+        /// A primitive ready to be hit. Small ones are held inline, large ones by reference.
+        #[derive(Clone, Debug)]
+        #[allow(missing_docs)]
+        pub enum Shape {
+            $($variant($type)),*
+        }
+
+        /// SDL's names of the primitives, in the order of the counters.
+        pub const SHAPE_NAMES: &[&str] = &[$($name),*];
+        /// How many kinds of primitives there are.
+        pub const KINDS: usize = SHAPE_NAMES.len();
+
+        #[repr(usize)]
+        enum Kind { $($variant),* }
+
+        $(impl From<$type> for Shape {
+            fn from(shape: $type) -> Shape { Shape::$variant(shape) }
+        })*
+
+        impl Primitive for Shape {
+            fn bounds(&self) -> Bounds {
+                match self { $(Shape::$variant(s) => s.bounds()),* }
+            }
+            #[inline]
+            fn intersect(
+                &self,
+                ray: &Ray,
+                from: f64,
+                limit: f64,
+                counters: &mut Counters,
+                offer: &mut impl FnMut(Crossing, f64) -> f64,
+            ) -> f64 {
+                match self {
+                    $(Shape::$variant(s) => {
+                        counters.tests[Kind::$variant as usize] += 1;
+                        s.intersect(ray, from, limit, counters, offer)
+                    }),*
+                }
+            }
+            fn inside(&self, point: Vec3) -> bool {
+                match self { $(Shape::$variant(s) => s.inside(point)),* }
+            }
+            fn normal(&self, point: Vec3, crossing: &Crossing) -> Vec3 {
+                match self { $(Shape::$variant(s) => s.normal(point, crossing)),* }
+            }
+            fn geometric_normal(&self, point: Vec3, crossing: &Crossing) -> Vec3 {
+                match self { $(Shape::$variant(s) => s.geometric_normal(point, crossing)),* }
+            }
+            fn uv(&self, point: Vec3, crossing: &Crossing) -> [f64; 2] {
+                match self { $(Shape::$variant(s) => s.uv(point, crossing)),* }
+            }
+            fn solid(&self) -> bool {
+                match self { $(Shape::$variant(s) => s.solid()),* }
+            }
+        }
+    };
+}
+
+primitives! {
+    Sphere(Sphere) = "sphere",
+    Cuboid(Cuboid) = "box",
+    Plane(Plane) = "plane",
+}

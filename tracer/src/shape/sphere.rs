@@ -1,0 +1,66 @@
+//! SDL: `sphere { <0, 1, 0>, 2 }`.
+
+use super::{offer_rising, Crossing, Primitive};
+use crate::accel::Counters;
+use crate::math::{Bounds, Ray, Vec3};
+use std::f64::consts::{PI, TAU};
+
+/// Nearer crossings are not seen, as in POV-Ray.
+const NEAREST: f64 = 1e-6;
+
+/// All points at one distance from a centre.
+#[derive(Clone, Debug)]
+pub struct Sphere {
+    /// The middle.
+    pub center: Vec3,
+    /// The distance.
+    pub radius: f64,
+}
+
+/// Longitude and latitude as two numbers in 0..1: u runs around y from -x, v from the bottom to the top.
+pub fn spherical_uv(direction: Vec3) -> [f64; 2] {
+    let d = direction.normalized();
+    let around = if d.x == 0.0 && d.z == 0.0 { 0.0 } else { d.z.atan2(d.x) };
+    let u = if around < 0.0 { around + TAU } else { around } / TAU;
+    [u, 0.5 + d.y.clamp(-1.0, 1.0).asin() / PI]
+}
+
+impl Primitive for Sphere {
+    fn bounds(&self) -> Bounds {
+        let r = Vec3::splat(self.radius.abs());
+        Bounds { min: self.center - r, max: self.center + r }
+    }
+
+    #[inline]
+    fn intersect(
+        &self,
+        ray: &Ray,
+        from: f64,
+        limit: f64,
+        _counters: &mut Counters,
+        offer: &mut impl FnMut(Crossing, f64) -> f64,
+    ) -> f64 {
+        let to_center = self.center - ray.origin;
+        let scale = 1.0 / ray.direction.length_squared();
+        let closest = to_center.dot(ray.direction) * scale;
+        let apart = (to_center - ray.direction * closest).length_squared();
+        let square = self.radius * self.radius - apart;
+        if square < 0.0 {
+            return limit;
+        }
+        let half = (square * scale).sqrt();
+        offer_rising([closest - half, closest + half].map(Crossing::at), from.max(NEAREST), limit, offer)
+    }
+
+    fn inside(&self, point: Vec3) -> bool {
+        (point - self.center).length_squared() < self.radius * self.radius
+    }
+
+    fn normal(&self, point: Vec3, _: &Crossing) -> Vec3 {
+        (point - self.center) / self.radius
+    }
+
+    fn uv(&self, point: Vec3, _: &Crossing) -> [f64; 2] {
+        spherical_uv(point - self.center)
+    }
+}
