@@ -1,0 +1,406 @@
+"""The nodes of a parsed file. Every node knows the line and column (from 1) where it begins.
+
+A file is a sequence of items; braces, brackets, vectors and argument lists hold items too, because directives and macro
+calls may supply any part of them. Which items a block accepts is not the grammar's business.
+
+The value of ``#declare X = ...`` is not part of the `Declare` node: it is the items that follow it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """Where a piece of the text begins."""
+
+    line: int
+    column: int
+
+
+# --- expressions ---
+
+
+@dataclass(frozen=True, slots=True)
+class Number(Node):
+    """A float literal, without sign."""
+
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class String(Node):
+    """A string literal as written between the quotes; `lexer.unescape` gives its text."""
+
+    raw: str
+
+
+@dataclass(frozen=True, slots=True)
+class Name(Node):
+    """An identifier."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class ConstantWord(Node):
+    """A keyword that is a value: ``x``, ``pi``, ``clock``, ``on``, ``image_width``..."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Vector(Node):
+    """``< ... >``."""
+
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Unary(Node):
+    """``-a``, ``+a``, ``!a``."""
+
+    operator: Literal["-", "+", "!"]
+    operand: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Binary(Node):
+    """``a + b`` and all other operators of two operands; begins where ``a`` begins."""
+
+    operator: str
+    left: Expression
+    right: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Conditional(Node):
+    """``(condition ? yes : no)``."""
+
+    condition: Expression
+    yes: Expression
+    no: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Paren(Node):
+    """``( ... )``, kept because it stops a macro's open terms from being taken apart."""
+
+    inner: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Member(Node):
+    """``a.x``, ``c.red``, 3.8 ``d.key``."""
+
+    of: Expression
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Subscript(Node):
+    """``a[i]``; several dimensions nest."""
+
+    of: Expression
+    index: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Call(Node):
+    """``name(...)``: a macro, function or spline; only known at run time. Commas stand among the items."""
+
+    of: Expression
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class BuiltinCall(Node):
+    """``sin(...)``, ``vrotate(...)``, ``concat(...)``: a keyword with arguments."""
+
+    name: str
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionLiteral(Node):
+    """``function (a, b) { body }``. ``parameters`` None stands for x, y, z.
+
+    ``size`` holds W and H of ``function W, H { ... }``.
+    """
+
+    parameters: tuple[str, ...] | None
+    body: Expression | FunctionBlock
+    size: tuple[Expression, Expression] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionBlock(Node):
+    """``pattern { ... }``, ``pigment``, ``transform`` or ``spline`` as a function's body; ``internal(N)`` as its items."""
+
+    name: str
+    items: tuple[Item, ...]
+
+
+# --- items that are not expressions ---
+
+
+@dataclass(frozen=True, slots=True)
+class Keyword(Node):
+    """A keyword standing by itself."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Block(Node):
+    """``{ ... }``; the keyword before it is the item before it."""
+
+    items: tuple[Item, ...]
+    end_line: int
+    end_column: int
+
+
+@dataclass(frozen=True, slots=True)
+class LooseBrace(Node):
+    """A brace whose partner lies outside the directive body that it stands in."""
+
+    opening: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Bracket(Node):
+    """``[ ... ]``."""
+
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Punctuation(Node):
+    """``,`` ``;`` or ``:`` (in dictionaries)."""
+
+    text: Literal[",", ";", ":", "="]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BulkVectors(Node):
+    """A long run of literal vectors of equal size, commas or none between: shape (n, size)."""
+
+    values: NDArray[np.float64]
+    trailing_comma: bool
+
+
+# --- directives ---
+
+
+@dataclass(frozen=True, slots=True)
+class Declare(Node):
+    """``#declare target =`` or ``#local``; the items that follow supply the value.
+
+    ``targets`` has several for the tuples of 3.8, written ``( )``, ``< >`` or ``{ }`` as ``form`` says.
+    """
+
+    local: bool
+    targets: tuple[Expression | None, ...]
+    form: Literal["", "(", "<", "{"] = ""
+    deprecated: bool = False
+    deprecated_once: bool = False
+    deprecated_text: Expression | None = None
+    optional: tuple[bool, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Undef(Node):
+    """``#undef target``."""
+
+    target: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Include(Node):
+    """``#include string``."""
+
+    file: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Branch(Node):
+    """A condition with what it guards; ``defined`` says ``#ifdef`` (True), ``#ifndef`` (False), or a plain condition."""
+
+    condition: Expression
+    items: tuple[Item, ...]
+    defined: bool | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class If(Node):
+    """``#if`` / ``#ifdef`` / ``#ifndef`` with ``#elseif`` and ``#else``."""
+
+    branches: tuple[Branch, ...]
+    otherwise: tuple[Item, ...] | None
+
+
+@dataclass(frozen=True, slots=True)
+class Case(Node):
+    """``#case (F)`` (``high`` None), ``#range (low, high)``, or ``#else`` (both None)."""
+
+    low: Expression | None
+    high: Expression | None
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Switch(Node):
+    """``#switch (F)`` with its cases; control falls from one into the next."""
+
+    value: Expression
+    cases: tuple[Case, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class While(Node):
+    """``#while (F) ... #end``."""
+
+    condition: Expression
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class For(Node):
+    """``#for (name, start, end, step) ... #end``; ``step`` None means 1."""
+
+    name: str
+    start: Expression
+    end: Expression
+    step: Expression | None
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Break(Node):
+    """``#break``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Macro(Node):
+    """``#macro name (parameters) ... #end``."""
+
+    name: str
+    parameters: tuple[str, ...]
+    optional: tuple[bool, ...]
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Default(Node):
+    """``#default { ... }``."""
+
+    block: Block
+
+
+@dataclass(frozen=True, slots=True)
+class Version(Node):
+    """``#version F;``."""
+
+    value: Expression
+    unofficial: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Print(Node):
+    """``#debug``, ``#warning``, ``#error``, and the obsolete ``#render`` and ``#statistics``."""
+
+    stream: Literal["debug", "warning", "error", "render", "statistics"]
+    text: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class FileOpen(Node):
+    """``#fopen name file mode``."""
+
+    name: str
+    file: Expression
+    mode: Literal["read", "write", "append"]
+
+
+@dataclass(frozen=True, slots=True)
+class FileClose(Node):
+    """``#fclose name``."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class FileRead(Node):
+    """``#read (name, target, ...)``."""
+
+    name: str
+    targets: tuple[Expression, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FileWrite(Node):
+    """``#write (name, item, ...)``; words such as ``uint8`` are `Keyword` items."""
+
+    name: str
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Obsolete(Node):
+    """``#max_trace_level F`` and ``#max_intersections F``."""
+
+    name: str
+    value: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class File:
+    """A whole file."""
+
+    path: str
+    items: tuple[Item, ...]
+
+
+Expression: TypeAlias = (
+    Number
+    | String
+    | Name
+    | ConstantWord
+    | Vector
+    | Unary
+    | Binary
+    | Conditional
+    | Paren
+    | Member
+    | Subscript
+    | Call
+    | BuiltinCall
+    | FunctionLiteral
+)
+
+Directive: TypeAlias = (
+    Declare
+    | Undef
+    | Include
+    | If
+    | Switch
+    | While
+    | For
+    | Break
+    | Macro
+    | Default
+    | Version
+    | Print
+    | FileOpen
+    | FileClose
+    | FileRead
+    | FileWrite
+    | Obsolete
+)
+
+Item: TypeAlias = Expression | Keyword | Block | LooseBrace | Bracket | Punctuation | BulkVectors | Directive
