@@ -1,0 +1,80 @@
+//! SDL: `finish { diffuse F brilliance F irid { ... } }`: light of the lamps, scattered by a surface.
+
+use super::layers::Spot;
+use super::{Finish, Tracer};
+use crate::color::{rgb, Rgb};
+use crate::graph::finish::Iridescence;
+use crate::light::Light;
+use crate::math::Vec3;
+
+/// Light fainter than this in every channel counts as none.
+const NOTHING: f64 = 1e-10;
+
+impl Tracer<'_> {
+    /// Light that all lamps of the object's light group send to the eye: diffuse and highlights.
+    pub(super) fn lamp_light(&mut self, spot: &Spot, finish: &Finish, normal: Vec3, pigment: Rgb, opacity: f64) -> Rgb {
+        let scene = self.scene;
+        let mut sum = Rgb::BLACK;
+        for &number in scene.lights_for(spot.looks.light_group) {
+            let light = &scene.lights[number as usize];
+            let arrival = light.arrival(spot.point);
+            if arrival.color.max_element() < NOTHING && arrival.color.map(|c| -c).max_element() < NOTHING {
+                continue;
+            }
+            let behind = normal.dot(arrival.direction) < 1e-10;
+            if behind && !spot.looks.double_illuminate && !finish.lit_from_behind {
+                continue;
+            }
+            let color = self.shadowed(number, light, spot, &arrival);
+            if color == Rgb::BLACK {
+                continue;
+            }
+            let backside = behind && !spot.looks.double_illuminate;
+            sum += self.one_lamp(spot, finish, light, normal, arrival.direction, color, pigment, opacity, backside);
+        }
+        sum
+    }
+
+    /// Light of one lamp, already shadowed.
+    #[allow(clippy::too_many_arguments)] // everything that a lobe depends on
+    fn one_lamp(
+        &mut self,
+        spot: &Spot,
+        finish: &Finish,
+        light: &Light,
+        normal: Vec3,
+        towards: Vec3,
+        color: Rgb,
+        pigment: Rgb,
+        opacity: f64,
+        backside: bool,
+    ) -> Rgb {
+        let mut sum = Rgb::BLACK;
+        let diffuse = finish.diffuse[usize::from(backside)];
+        if diffuse != 0.0 {
+            let cos = normal.dot(towards).abs();
+            let lobe = if finish.brilliance == 1.0 { cos } else { cos.powf(finish.brilliance) };
+            let mut strength = diffuse * lobe * opacity;
+            if finish.crand > 0.0 {
+                strength -= self.random.unit() * finish.crand;
+            }
+            sum += pigment.mul_each(color) * strength;
+        }
+        if !light.shadowless && !backside {
+            sum += finish.highlights(spot.path.ray.direction, towards, normal, color, pigment);
+        }
+        if let Some(film) = &finish.irid {
+            sum = self.film(film, spot, normal, towards, sum);
+        }
+        sum
+    }
+
+    /// Interference on a thin film: light of each wavelength gains or loses by its phase.
+    fn film(&self, film: &Iridescence, spot: &Spot, normal: Vec3, towards: Vec3, light: Rgb) -> Rgb {
+        let cosines = normal.dot(towards).abs() + normal.dot(spot.path.ray.direction).abs();
+        let path = 2.0 * std::f64::consts::PI * film.thickness * cosines;
+        let wave = self.scene.irid_wavelength;
+        let gain = |wavelength: f64| 1.0 + film.amount * (path / wavelength).cos();
+        light.mul_each(rgb(gain(wave.r), gain(wave.g), gain(wave.b)))
+    }
+}

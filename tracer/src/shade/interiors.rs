@@ -1,0 +1,71 @@
+//! Which objects a ray is inside of: they decide about refraction, attenuation, media and fog.
+
+/// Identity of an interior: an index into the scene's interiors, or past them the number of a node without one.
+pub type InteriorId = u32;
+
+/// More nested objects than any scene has; what lies deeper is not tracked.
+const DEPTH: usize = 24;
+
+/// The interiors around a ray, outermost first.
+#[derive(Clone, Copy, Debug)]
+pub struct Interiors {
+    ids: [InteriorId; DEPTH],
+    len: u8,
+}
+
+impl Interiors {
+    /// Open space.
+    pub const NONE: Interiors = Interiors { ids: [0; DEPTH], len: 0 };
+
+    /// Goes into an object.
+    pub fn enter(&mut self, id: InteriorId) {
+        if (self.len as usize) < DEPTH {
+            self.ids[self.len as usize] = id;
+            self.len += 1;
+        }
+    }
+
+    /// Leaves an object; whether it was there.
+    pub fn leave(&mut self, id: InteriorId) -> bool {
+        let Some(at) = self.iter().rposition(|known| known == id) else {
+            return false;
+        };
+        self.ids.copy_within(at + 1..self.len as usize, at);
+        self.len -= 1;
+        true
+    }
+
+    /// Whether the ray is inside.
+    pub fn contains(&self, id: InteriorId) -> bool {
+        self.iter().any(|known| known == id)
+    }
+
+    /// The interior entered last.
+    pub fn innermost(&self) -> Option<InteriorId> {
+        self.iter().next_back()
+    }
+
+    /// From the outermost on.
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = InteriorId> + ExactSizeIterator + '_ {
+        self.ids[..self.len as usize].iter().copied()
+    }
+
+    /// Whether the ray is in open space.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn leaving_keeps_the_order() {
+        let mut stack = Interiors::NONE;
+        [4, 5, 6].into_iter().for_each(|id| stack.enter(id));
+        assert!(stack.leave(5) && !stack.leave(9));
+        assert_eq!(stack.iter().collect::<Vec<_>>(), [4, 6]);
+        assert_eq!(stack.innermost(), Some(6));
+    }
+}

@@ -1,0 +1,95 @@
+//! A plain or layered texture at one point: its own light, lamps, mirror, and what shines through.
+
+use super::interiors::InteriorId;
+use super::texture::{Frame, Layer};
+use super::{Path, Radiance, Tracer};
+use crate::color::{Rgb, Rgbft};
+use crate::geometry::{Hit, Looks, NodeId};
+use crate::math::Vec3;
+use crate::prepare::Scene;
+
+/// What is fixed at a hit, whatever the texture.
+pub struct Spot<'a> {
+    /// The ray that came here.
+    pub path: &'a Path,
+    /// How far it went.
+    pub distance: f64,
+    /// Where it hit.
+    pub point: Vec3,
+    /// Unit normal on the ray's side.
+    pub normal: Vec3,
+    /// The object hit.
+    pub node: NodeId,
+    /// What the object wears.
+    pub looks: &'a Looks,
+    /// Whether the ray hits the surface from behind.
+    pub from_inside: bool,
+    /// What fills the object.
+    pub interior: InteriorId,
+}
+
+impl<'a> Spot<'a> {
+    /// Looks at a hit.
+    pub fn new(scene: &'a Scene, path: &'a Path, hit: &Hit) -> Spot<'a> {
+        let surface = scene.geometry.surface(&path.ray, hit);
+        let from_inside = surface.normal.dot(path.ray.direction) > 0.0;
+        Spot {
+            path,
+            distance: hit.crossing.t,
+            point: surface.point,
+            normal: if from_inside { -surface.normal } else { surface.normal },
+            node: hit.node,
+            looks: scene.geometry.looks(hit.node),
+            from_inside,
+            interior: scene.interior_of(hit.node),
+        }
+    }
+}
+
+impl Tracer<'_> {
+    /// Light of layers seen one through the other.
+    pub(super) fn layers_light(&mut self, spot: &Spot, frame: &Frame, layers: &[Layer], weight: f64) -> Radiance {
+        let scene = self.scene;
+        let mut seen = Radiance::BLACK;
+        // What of the light from below gets through the layers so far.
+        let mut filter = self.scene.attenuation_within(spot.path, spot.interior, spot.distance);
+        let mut through = filter.gray();
+        let mut top_normal = spot.normal;
+        for (number, layer) in layers.iter().enumerate() {
+            if through < scene.adc_bailout {
+                break;
+            }
+            let finish = &layer.finish;
+            let normal = spot.normal;
+            if number == 0 {
+                top_normal = normal;
+            }
+            let color = self.pigment_color(layer, frame);
+            let opacity = color.opacity();
+            let mut own = color.rgb.mul_each(finish.ambient + finish.emission) * opacity;
+            if finish.lit {
+                own += self.lamp_light(spot, finish, normal, color.rgb, opacity);
+            }
+            seen.rgb += own.mul_each(filter);
+            let mut passing = color.rgb * color.filter + Rgb::WHITE * color.transmit;
+            if let Some(mirror) = &finish.reflection {
+                let share = self.reflectivity(spot, mirror, normal, color.rgb);
+                seen.rgb += self.mirrored(spot, mirror, normal, share.mul_each(filter), weight * through);
+                if finish.conserve_energy {
+                    passing = passing.mul_each(share.map(|s| (1.0 - s).max(0.0)));
+                }
+            }
+            filter = filter.mul_each(passing);
+            through = filter.gray().abs().min(1.0);
+        }
+        if through > scene.adc_bailout {
+            self.seen_through(spot, top_normal, filter, weight * through, &mut seen);
+        }
+        seen
+    }
+
+    /// The colour of a layer's pigment.
+    fn pigment_color(&self, layer: &Layer, _frame: &Frame) -> Rgbft {
+        layer.pigment
+    }
+}

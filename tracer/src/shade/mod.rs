@@ -1,0 +1,116 @@
+//! From rays to light: what is hit, how it is lit, mirrored and seen through.
+
+mod diffuse;
+mod finish;
+mod highlight;
+mod interiors;
+mod layers;
+mod reflect;
+mod refract;
+mod shadow;
+mod texture;
+
+pub use finish::Finish;
+use reflect::mirror_direction;
+pub use interiors::{InteriorId, Interiors};
+pub use texture::{Layer, Texture, TextureId};
+
+use crate::accel::{Counters, RayKind};
+use crate::color::Rgb;
+use crate::geometry::NodeId;
+use crate::math::Ray;
+use crate::prepare::Scene;
+use crate::render::Random;
+
+/// Hits nearer than this are the surface that the ray starts from.
+pub const NEAREST: f64 = 1e-4;
+
+/// Light arriving along a ray, and how much of what lies behind everything shows through (for alpha).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Radiance {
+    /// The light.
+    pub rgb: Rgb,
+    /// 1: nothing but empty background.
+    pub transmit: f64,
+}
+
+impl Radiance {
+    /// Neither light nor transparency.
+    pub const BLACK: Radiance = Radiance { rgb: Rgb::BLACK, transmit: 0.0 };
+
+    /// Adds a share of other light.
+    pub fn add_scaled(&mut self, other: &Radiance, share: f64) {
+        self.rgb += other.rgb * share;
+        self.transmit += other.transmit * share;
+    }
+}
+
+/// A ray with what it has been through.
+#[derive(Clone, Copy, Debug)]
+pub struct Path {
+    /// The ray; its direction has length one.
+    pub ray: Ray,
+    /// Which objects it is inside of.
+    pub interiors: Interiors,
+    /// Why it was shot.
+    pub kind: RayKind,
+}
+
+/// One thread's state while it traces a scene.
+pub struct Tracer<'s> {
+    /// What is rendered.
+    pub scene: &'s Scene,
+    /// What was counted.
+    pub counters: Counters,
+    /// Random numbers of the current pixel.
+    pub random: Random,
+    /// Number of rays that led to the current one.
+    depth: u32,
+    /// The last occluder of each light.
+    occluders: Vec<Option<NodeId>>,
+    /// Scratch for textures seen together at one point.
+    weights: Vec<(Option<u32>, f64)>,
+}
+
+impl<'s> Tracer<'s> {
+    /// A tracer that has counted nothing yet.
+    pub fn new(scene: &'s Scene) -> Tracer<'s> {
+        Tracer {
+            scene,
+            counters: Counters::default(),
+            random: Random::seeded(0, 0, 0),
+            depth: 0,
+            occluders: vec![None; scene.lights.len()],
+            weights: Vec::new(),
+        }
+    }
+
+    /// Light arriving along a ray that counts with `weight` in the pixel.
+    pub fn trace(&mut self, path: &Path, weight: f64) -> Radiance {
+        if self.depth >= self.scene.max_trace_level || weight < self.scene.adc_bailout {
+            return Radiance::BLACK;
+        }
+        self.depth += 1;
+        let geometry = &self.scene.geometry;
+        let hit = geometry.nearest(&path.ray, NEAREST, f64::INFINITY, path.kind, &mut self.counters);
+        let (mut seen, distance) = match hit {
+            Some(hit) => (self.surface_light(path, &hit, weight), hit.crossing.t),
+            None => (self.scene.sky.light(path.ray.direction), f64::INFINITY),
+        };
+        self.scene.atmosphere.dim(path, distance, &mut seen);
+        self.depth -= 1;
+        seen
+    }
+}
+
+/// The metals' approximation of Fresnel's law, for an angle whose cosine is given: 0 head-on, 1 grazing (probed).
+fn metallic_fresnel(cos: f64) -> f64 {
+    let x = cos.clamp(-1.0, 1.0).acos().abs() / std::f64::consts::FRAC_PI_2;
+    (0.014567225 / (x - 1.12).powi(2) - 0.011612903).clamp(0.0, 1.0)
+}
+
+/// A factor that takes on the pigment's colour by `metallic`, less so towards grazing angles.
+fn metallic_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
+    let share = metallic * (1.0 - metallic_fresnel(cos));
+    pigment.map(|c| 1.0 + share * (c - 1.0))
+}

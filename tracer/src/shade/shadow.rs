@@ -1,0 +1,82 @@
+//! What of a lamp's light reaches a point past the objects in between.
+
+use super::layers::Spot;
+use super::{Path, Tracer};
+use crate::accel::RayKind;
+use crate::color::Rgb;
+use crate::geometry::Answer;
+use crate::light::{Arrival, Light};
+use crate::math::Ray;
+
+/// Occluders nearer than this to the point or the lamp throw no shadow.
+const TOLERANCE: f64 = 1e-3;
+
+impl Tracer<'_> {
+    /// The colour of a lamp's light after shadows.
+    pub(super) fn shadowed(&mut self, number: u32, light: &Light, spot: &Spot, arrival: &Arrival) -> Rgb {
+        if light.shadowless || !self.scene.quality.shadows {
+            return arrival.color;
+        }
+        self.point_shadow(number, spot, arrival)
+    }
+
+    /// Shadow of a single point of light.
+    fn point_shadow(&mut self, number: u32, spot: &Spot, arrival: &Arrival) -> Rgb {
+        let scene = self.scene;
+        let ray = Ray { origin: spot.point, direction: arrival.direction };
+        let limit = arrival.distance - TOLERANCE;
+        let last = &mut self.occluders[number as usize];
+        let opaque = |node| scene.is_opaque(node);
+        if let Some(node) = *last {
+            if scene.geometry.any_of(node, &ray, TOLERANCE, limit, &mut self.counters, |hit| {
+                if opaque(hit.node) { Answer::Stop } else { Answer::Continue }
+            }) {
+                return Rgb::BLACK;
+            }
+        }
+        let mut clear = true;
+        let blocked = scene.geometry.any(&ray, TOLERANCE, limit, RayKind::Shadow, &mut self.counters, |hit| {
+            clear = false;
+            if opaque(hit.node) {
+                *last = Some(hit.node);
+                Answer::Stop
+            } else {
+                Answer::Continue
+            }
+        });
+        if blocked {
+            return Rgb::BLACK;
+        }
+        if clear {
+            return arrival.color;
+        }
+        self.filtered(spot, arrival)
+    }
+
+    /// Light filtered by the transparent objects on its way, from the point to the lamp.
+    fn filtered(&mut self, spot: &Spot, arrival: &Arrival) -> Rgb {
+        let mut path = Path {
+            ray: Ray { origin: spot.point, direction: arrival.direction },
+            interiors: spot.path.interiors,
+            kind: RayKind::Shadow,
+        };
+        let mut color = arrival.color;
+        let mut left = arrival.distance - TOLERANCE;
+        while color.max_element() > 0.0 {
+            let nearest =
+                self.scene.geometry.nearest(&path.ray, TOLERANCE, left, RayKind::Shadow, &mut self.counters);
+            let Some(hit) = nearest else {
+                break;
+            };
+            let filter = self.surface_filter(&path, &hit);
+            color = color.mul_each(filter);
+            path.ray.origin = path.ray.at(hit.crossing.t);
+            left -= hit.crossing.t;
+            let interior = self.scene.interior_of(hit.node);
+            if !path.interiors.leave(interior) {
+                path.interiors.enter(interior);
+            }
+        }
+        color
+    }
+}
