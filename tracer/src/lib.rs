@@ -3,11 +3,17 @@
 #![deny(unsafe_code)]
 
 pub mod accel;
+pub mod atmosphere;
+pub mod camera;
 pub mod color;
 pub mod csg;
 pub mod geometry;
 pub mod graph;
+pub mod light;
 pub mod math;
+pub mod prepare;
+pub mod render;
+pub mod shade;
 pub mod shape;
 #[cfg(test)]
 mod testing;

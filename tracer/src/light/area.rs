@@ -1,6 +1,6 @@
 //! SDL: `area_light axis1, axis2, size1, size2 adaptive I jitter circular orient`: the points of a light's area.
 
-use crate::math::{vec3, Vec3};
+use crate::math::Vec3;
 
 /// A grid of points about the light's location.
 #[derive(Clone, Debug)]
@@ -61,6 +61,7 @@ impl Area {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::vec3;
 
     #[test]
     fn circular_keeps_half_width() {

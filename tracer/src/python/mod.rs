@@ -1,9 +1,11 @@
 //! The thin Python binding of the core: `minipov.tracer._core`.
 
+mod render;
+
 use pyo3::prelude::*;
 
 #[pymodule]
 mod _core {
-    #[allow(unused_imports)]
-    use super::*;
+    #[pymodule_export]
+    use super::render::RenderJob;
 }

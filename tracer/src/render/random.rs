@@ -7,7 +7,9 @@ pub struct Random(u64);
 impl Random {
     /// The sequence of one pixel (or any pair of numbers) and purpose.
     pub fn seeded(x: u64, y: u64, purpose: u64) -> Random {
-        let mut random = Random(x.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ y.wrapping_mul(0xC2B2_AE3D_27D4_EB4F) ^ purpose << 56);
+        let mut random = Random(
+            x.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ y.wrapping_mul(0xC2B2_AE3D_27D4_EB4F) ^ purpose << 56,
+        );
         random.bits();
         random
     }

@@ -12,7 +12,14 @@ const NOTHING: f64 = 1e-10;
 
 impl Tracer<'_> {
     /// Light that all lamps of the object's light group send to the eye: diffuse and highlights.
-    pub(super) fn lamp_light(&mut self, spot: &Spot, finish: &Finish, normal: Vec3, pigment: Rgb, opacity: f64) -> Rgb {
+    pub(super) fn lamp_light(
+        &mut self,
+        spot: &Spot,
+        finish: &Finish,
+        normal: Vec3,
+        pigment: Rgb,
+        opacity: f64,
+    ) -> Rgb {
         let scene = self.scene;
         let mut sum = Rgb::BLACK;
         for &number in scene.lights_for(spot.looks.light_group) {
@@ -30,7 +37,17 @@ impl Tracer<'_> {
                 continue;
             }
             let backside = behind && !spot.looks.double_illuminate;
-            sum += self.one_lamp(spot, finish, light, normal, arrival.direction, color, pigment, opacity, backside);
+            sum += self.one_lamp(
+                spot,
+                finish,
+                light,
+                normal,
+                arrival.direction,
+                color,
+                pigment,
+                opacity,
+                backside,
+            );
         }
         sum
     }

@@ -8,7 +8,8 @@ impl Finish {
     /// Both highlights for a ray in direction `eye`, a lamp in direction `towards` and its colour.
     #[inline]
     pub fn highlights(&self, eye: Vec3, towards: Vec3, normal: Vec3, color: Rgb, pigment: Rgb) -> Rgb {
-        let strength = self.phong_strength(eye, towards, normal) + self.specular_strength(eye, towards, normal);
+        let strength =
+            self.phong_strength(eye, towards, normal) + self.specular_strength(eye, towards, normal);
         if strength == 0.0 {
             return Rgb::BLACK;
         }

@@ -48,7 +48,13 @@ impl<'a> Spot<'a> {
 
 impl Tracer<'_> {
     /// Light of layers seen one through the other.
-    pub(super) fn layers_light(&mut self, spot: &Spot, frame: &Frame, layers: &[Layer], weight: f64) -> Radiance {
+    pub(super) fn layers_light(
+        &mut self,
+        spot: &Spot,
+        frame: &Frame,
+        layers: &[Layer],
+        weight: f64,
+    ) -> Radiance {
         let scene = self.scene;
         let mut seen = Radiance::BLACK;
         // What of the light from below gets through the layers so far.

@@ -11,8 +11,8 @@ mod shadow;
 mod texture;
 
 pub use finish::Finish;
-use reflect::mirror_direction;
 pub use interiors::{InteriorId, Interiors};
+use reflect::mirror_direction;
 pub use texture::{Layer, Texture, TextureId};
 
 use crate::accel::{Counters, RayKind};

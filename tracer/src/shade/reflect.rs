@@ -29,7 +29,14 @@ impl Tracer<'_> {
     }
 
     /// Light from the mirrored direction, times `share`.
-    pub(super) fn mirrored(&mut self, spot: &Spot, mirror: &Reflection, normal: Vec3, share: Rgb, weight: f64) -> Rgb {
+    pub(super) fn mirrored(
+        &mut self,
+        spot: &Spot,
+        mirror: &Reflection,
+        normal: Vec3,
+        share: Rgb,
+        weight: f64,
+    ) -> Rgb {
         if self.scene.quality.reflection {
             let direction = mirror_direction(spot.path.ray.direction, normal, spot.normal);
             let path = Path {

@@ -23,7 +23,14 @@ impl Tracer<'_> {
     }
 
     /// Adds what is seen through the surface, times `filter`.
-    pub(super) fn seen_through(&mut self, spot: &Spot, normal: Vec3, filter: Rgb, weight: f64, seen: &mut Radiance) {
+    pub(super) fn seen_through(
+        &mut self,
+        spot: &Spot,
+        normal: Vec3,
+        filter: Rgb,
+        weight: f64,
+        seen: &mut Radiance,
+    ) {
         if !self.scene.quality.refraction {
             return;
         }

@@ -29,21 +29,26 @@ impl Tracer<'_> {
         let opaque = |node| scene.is_opaque(node);
         if let Some(node) = *last {
             if scene.geometry.any_of(node, &ray, TOLERANCE, limit, &mut self.counters, |hit| {
-                if opaque(hit.node) { Answer::Stop } else { Answer::Continue }
+                if opaque(hit.node) {
+                    Answer::Stop
+                } else {
+                    Answer::Continue
+                }
             }) {
                 return Rgb::BLACK;
             }
         }
         let mut clear = true;
-        let blocked = scene.geometry.any(&ray, TOLERANCE, limit, RayKind::Shadow, &mut self.counters, |hit| {
-            clear = false;
-            if opaque(hit.node) {
-                *last = Some(hit.node);
-                Answer::Stop
-            } else {
-                Answer::Continue
-            }
-        });
+        let blocked =
+            scene.geometry.any(&ray, TOLERANCE, limit, RayKind::Shadow, &mut self.counters, |hit| {
+                clear = false;
+                if opaque(hit.node) {
+                    *last = Some(hit.node);
+                    Answer::Stop
+                } else {
+                    Answer::Continue
+                }
+            });
         if blocked {
             return Rgb::BLACK;
         }

@@ -2,7 +2,7 @@
 
 use super::layers::Spot;
 use super::{Finish, Path, Radiance, Tracer};
-use crate::color::Rgbft;
+use crate::color::{Rgb, Rgbft};
 use crate::geometry::Hit;
 use crate::math::{Transform, Vec3};
 
@@ -76,6 +76,29 @@ impl Tracer<'_> {
         match &scene.textures[texture as usize] {
             Texture::Layers(layers) => self.layers_light(spot, frame, layers, weight),
             Texture::Placed(space, inner) => self.texture_light(spot, &frame.placed(space), *inner, weight),
+        }
+    }
+}
+
+impl Tracer<'_> {
+    /// The share of light that passes a surface, for shadows.
+    pub(super) fn surface_filter(&mut self, path: &Path, hit: &Hit) -> Rgb {
+        let scene = self.scene;
+        let spot = Spot::new(scene, path, hit);
+        let looks = scene.geometry.looks(hit.node);
+        let frame = Frame::world(spot.point);
+        let worn = looks.interior_texture.filter(|_| spot.from_inside).or(looks.texture);
+        self.texture_filter(&spot, &frame, scene.dress(worn))
+    }
+
+    fn texture_filter(&mut self, spot: &Spot, frame: &Frame, texture: TextureId) -> Rgb {
+        let scene = self.scene;
+        match &scene.textures[texture as usize] {
+            Texture::Layers(layers) => layers.iter().fold(Rgb::WHITE, |filter, layer| {
+                let color = layer.pigment;
+                filter.mul_each(color.rgb * color.filter + Rgb::WHITE * color.transmit)
+            }),
+            Texture::Placed(space, inner) => self.texture_filter(spot, &frame.placed(space), *inner),
         }
     }
 }

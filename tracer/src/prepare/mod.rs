@@ -1,0 +1,50 @@
+//! From the scene graph to an immutable scene of numbered parts.
+
+mod lights;
+mod quality;
+mod scene;
+mod textures;
+
+pub use quality::Quality;
+pub use scene::Scene;
+
+use crate::accel::AcceleratorKind;
+use crate::atmosphere::{Atmosphere, Sky};
+use crate::camera::Camera;
+use crate::geometry;
+use crate::graph::settings::{Accelerator, RenderSettings};
+use crate::graph::{self, Unsupported};
+
+/// Makes a scene ready for rendering; what cannot be rendered is left out and listed.
+pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene, Vec<Unsupported>) {
+    let kind = match settings.accelerator {
+        Accelerator::Linear => AcceleratorKind::Linear,
+        Accelerator::Octree => AcceleratorKind::Octree,
+    };
+    let objects: Vec<_> = scene.objects.iter().cloned().chain(lights::visible(scene)).collect();
+    let (geometry, mut unsupported) = geometry::prepare(&objects, kind);
+    let quality = Quality::new(settings.quality);
+    let (textures, dresses) = textures::prepare(scene, &geometry, &quality, &mut unsupported);
+    let (lights, light_sets) = lights::prepare(scene, &geometry, &mut unsupported);
+    let (camera, missing) = Camera::new(&scene.camera);
+    unsupported.extend(missing.map(|what| Unsupported { feature: what.into(), source: String::new() }));
+    let interiors = geometry.interiors.iter().map(|worn| (*worn.item).clone()).collect();
+    let global = &scene.settings;
+    let mut prepared = Scene {
+        geometry,
+        textures,
+        dresses,
+        interiors,
+        lights,
+        light_sets,
+        camera,
+        sky: Sky::new(scene.background, settings.alpha),
+        atmosphere: Atmosphere::default(),
+        quality,
+        max_trace_level: global.max_trace_level,
+        adc_bailout: global.adc_bailout,
+        irid_wavelength: global.irid_wavelength,
+    };
+    prepared.place_camera();
+    (prepared, unsupported)
+}

@@ -1,0 +1,120 @@
+//! What is rendered: numbered parts that never change.
+
+use super::Quality;
+use crate::atmosphere::{Atmosphere, Sky};
+use crate::camera::Camera;
+use crate::color::{rgb, Rgb};
+use crate::geometry::{Geometry, NodeId};
+use crate::graph::Interior;
+use crate::light::Light;
+use crate::shade::{InteriorId, Path, Texture, TextureId};
+
+/// A scene ready for rendering.
+#[derive(Debug)]
+pub struct Scene {
+    /// What rays hit.
+    pub geometry: Geometry,
+    /// All textures.
+    pub textures: Vec<Texture>,
+    /// The texture of each number that geometry uses; the last is the scene's default.
+    pub(super) dresses: Vec<Dress>,
+    /// What fills objects.
+    pub interiors: Vec<Interior>,
+    /// All lights.
+    pub lights: Vec<Light>,
+    /// Which lights shine outside all light groups, then on each group.
+    pub(super) light_sets: Vec<Vec<u32>>,
+    /// From where the picture is taken.
+    pub camera: Camera,
+    /// What is behind everything.
+    pub sky: Sky,
+    /// What is between things.
+    pub atmosphere: Atmosphere,
+    /// What is left out.
+    pub quality: Quality,
+    /// Longest chain of rays.
+    pub max_trace_level: u32,
+    /// Rays of less weight are not shot.
+    pub adc_bailout: f64,
+    /// Wavelengths of the three channels, for thin films.
+    pub irid_wavelength: Rgb,
+}
+
+/// A texture as objects wear it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Dress {
+    pub texture: TextureId,
+    /// Nothing is seen through it, anywhere.
+    pub opaque: bool,
+}
+
+impl Scene {
+    /// The texture of a number that geometry uses; none is the scene's default.
+    #[inline]
+    pub fn dress(&self, worn: Option<u32>) -> TextureId {
+        self.dress_of(worn).texture
+    }
+
+    fn dress_of(&self, worn: Option<u32>) -> &Dress {
+        &self.dresses[worn.map_or(self.dresses.len() - 1, |w| w as usize)]
+    }
+
+    /// Whether nothing is ever seen through a node, so that shadow rays may stop there.
+    #[inline]
+    pub fn is_opaque(&self, node: NodeId) -> bool {
+        let looks = self.geometry.looks(node);
+        !looks.several_textures
+            && self.dress_of(looks.texture).opaque
+            && looks.interior_texture.is_none_or(|worn| self.dress_of(Some(worn)).opaque)
+    }
+
+    /// The lights that shine on objects of a light group.
+    #[inline]
+    pub fn lights_for(&self, group: Option<u32>) -> &[u32] {
+        &self.light_sets[group.map_or(0, |g| g as usize + 1)]
+    }
+
+    /// What fills a node.
+    #[inline]
+    pub fn interior_of(&self, node: NodeId) -> InteriorId {
+        self.geometry.looks(node).interior.unwrap_or(self.interiors.len() as u32 + node)
+    }
+
+    /// The interior of a number, if the scene says anything about it.
+    #[inline]
+    pub fn interior(&self, id: InteriorId) -> Option<&Interior> {
+        self.interiors.get(id as usize)
+    }
+
+    /// Optical density; that of open space is 1.
+    #[inline]
+    pub fn ior_of(&self, id: Option<InteriorId>) -> f64 {
+        id.and_then(|id| self.interior(id)).map_or(1.0, |interior| interior.ior)
+    }
+
+    /// What `fade_distance` and `fade_power` leave of light that goes `distance` through `id`, if the ray is in it.
+    pub fn attenuation_within(&self, path: &Path, id: InteriorId, distance: f64) -> Rgb {
+        let Some(interior) = self.interior(id) else {
+            return Rgb::WHITE;
+        };
+        if interior.fade_power <= 0.0 || interior.fade_distance <= 0.0 || !path.interiors.contains(id) {
+            return Rgb::WHITE;
+        }
+        let depth = distance / interior.fade_distance;
+        let left = if interior.fade_power >= 1000.0 {
+            (-depth).exp()
+        } else {
+            1.0 / (1.0 + depth.powf(interior.fade_power))
+        };
+        let lift = |color: f64| color + (1.0 - color) * left;
+        let color = interior.fade_color;
+        rgb(lift(color.r), lift(color.g), lift(color.b))
+    }
+
+    /// Tells the camera which objects it stands in.
+    pub(super) fn place_camera(&mut self) {
+        for node in self.geometry.containing(self.camera.location()) {
+            self.camera.interiors.enter(self.interior_of(node));
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Textures: every graph node once, in one list.
+
+use std::collections::HashMap;
+
+use super::scene::Dress;
+use super::Quality;
+use crate::geometry::Geometry;
+use crate::graph::scene::Scene;
+use crate::graph::texture as graph;
+use crate::graph::{Shared, Unsupported};
+use crate::shade::{Finish, Layer, Texture, TextureId};
+
+/// All textures, and those that geometry knows by number, the scene's default last.
+pub fn prepare(
+    scene: &Scene,
+    geometry: &Geometry,
+    _quality: &Quality,
+    unsupported: &mut Vec<Unsupported>,
+) -> (Vec<Texture>, Vec<Dress>) {
+    let mut builder = Builder { scene, unsupported, textures: Vec::new(), known: HashMap::new() };
+    let mut dresses: Vec<Dress> = Vec::new();
+    for worn in &geometry.textures {
+        let texture = builder.add(&worn.item);
+        let opaque = builder.is_opaque(texture);
+        let texture = match worn.space.as_deref() {
+            Some(space) => builder.push(Texture::Placed(Box::new(*space), texture)),
+            None => texture,
+        };
+        dresses.push(Dress { texture, opaque });
+    }
+    let texture = builder.add(&scene.default_texture);
+    dresses.push(Dress { texture, opaque: builder.is_opaque(texture) });
+    (builder.textures, dresses)
+}
+
+struct Builder<'a> {
+    scene: &'a Scene,
+    unsupported: &'a mut Vec<Unsupported>,
+    textures: Vec<Texture>,
+    known: HashMap<usize, TextureId>,
+}
+
+impl Builder<'_> {
+    fn push(&mut self, texture: Texture) -> TextureId {
+        self.textures.push(texture);
+        self.textures.len() as TextureId - 1
+    }
+
+    /// A graph node's texture, made when first met.
+    fn add(&mut self, texture: &Shared<graph::Texture>) -> TextureId {
+        if let Some(&id) = self.known.get(&texture.address()) {
+            return id;
+        }
+        let made = match &**texture {
+            graph::Texture::Plain(plain) => Texture::Layers(Box::new([self.layer(plain)])),
+            graph::Texture::Layered(layered) => {
+                Texture::Layers(layered.layers.iter().rev().map(|layer| self.layer(layer)).collect())
+            }
+            graph::Texture::Pattern(_) | graph::Texture::MaterialMap(_) => {
+                let feature = "texture_map".into();
+                self.unsupported.push(Unsupported { feature, source: String::new() });
+                Texture::Layers(Box::new([]))
+            }
+        };
+        let id = self.push(made);
+        self.known.insert(texture.address(), id);
+        id
+    }
+
+    fn layer(&mut self, plain: &graph::PlainTexture) -> Layer {
+        Layer {
+            pigment: plain.pigment.color,
+            finish: Finish::new(&plain.finish, self.scene.settings.ambient_light),
+        }
+    }
+
+    /// Whether nothing is ever seen through a texture: some layer is opaque everywhere.
+    fn is_opaque(&self, id: TextureId) -> bool {
+        match &self.textures[id as usize] {
+            Texture::Layers(layers) => layers.iter().any(|l| l.pigment.opacity() >= 1.0),
+            Texture::Placed(_, inner) => self.is_opaque(*inner),
+        }
+    }
+}

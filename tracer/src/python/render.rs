@@ -1,0 +1,125 @@
+//! Rendering from Python: a job that runs on its own threads and is asked how far it is.
+
+use std::sync::Arc;
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+use numpy::ndarray::Array3;
+use numpy::{IntoPyArray, PyArray3};
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::accel::RayKind;
+use crate::graph::settings::RenderSettings;
+use crate::graph::{collect_unsupported, scene::Scene, Unsupported};
+use crate::prepare::prepare;
+use crate::render::Job;
+
+/// A render in progress.
+#[pyclass]
+pub struct RenderJob {
+    job: Arc<Job>,
+    threads: Option<JoinHandle<Duration>>,
+    unsupported: Vec<Unsupported>,
+    prepare_time: Duration,
+    trace_time: Duration,
+}
+
+#[pymethods]
+impl RenderJob {
+    /// Prepares the scene and starts rendering.
+    #[new]
+    fn new(py: Python<'_>, scene: &Bound<'_, PyAny>, settings: RenderSettings) -> PyResult<RenderJob> {
+        let started = Instant::now();
+        let (scene, mut unsupported) = collect_unsupported(|| scene.extract::<Scene>())?;
+        let job = py.detach(|| {
+            let (scene, left_out) = prepare(&scene, &settings);
+            unsupported.extend(left_out);
+            Arc::new(Job::new(scene, &settings))
+        });
+        let prepare_time = started.elapsed();
+        let running = Arc::clone(&job);
+        let threads = std::thread::Builder::new().name("render".into()).spawn(move || {
+            let started = Instant::now();
+            running.run();
+            started.elapsed()
+        })?;
+        Ok(RenderJob { job, threads: Some(threads), unsupported, prepare_time, trace_time: Duration::ZERO })
+    }
+
+    /// Pixels finished and pixels in all.
+    fn progress(&self) -> (usize, usize) {
+        let progress = self.job.progress();
+        (progress.done, progress.total)
+    }
+
+    /// Whether the render has ended, for whatever reason.
+    fn is_finished(&self) -> bool {
+        self.threads.as_ref().is_none_or(JoinHandle::is_finished)
+    }
+
+    /// Asks the render to stop; tiles being traced are still finished.
+    fn cancel(&self) {
+        self.job.cancel();
+    }
+
+    /// The pixels so far: (height, width, 4) of float32.
+    fn snapshot<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        let picture = self.job.picture();
+        let values = picture.snapshot().into_iter().flatten().collect();
+        let pixels = Array3::from_shape_vec((picture.height, picture.width, 4), values)
+            .map_err(|e| PyRuntimeError::new_err(e.to_string()))?;
+        Ok(pixels.into_pyarray(py))
+    }
+
+    /// Waits for the end.
+    fn wait(&mut self, py: Python<'_>) -> PyResult<()> {
+        if let Some(threads) = self.threads.take() {
+            self.trace_time = py
+                .detach(|| threads.join())
+                .map_err(|_| PyRuntimeError::new_err("the renderer failed; this is a bug in minipov"))?;
+        }
+        Ok(())
+    }
+
+    /// What the scene asks for and the core leaves out: (feature, source) pairs.
+    fn unsupported(&self) -> Vec<(String, String)> {
+        self.unsupported.iter().map(|u| (u.feature.clone(), u.source.clone())).collect()
+    }
+
+    /// What was counted so far, and the seconds spent in each phase.
+    fn statistics<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let counters = self.job.counters();
+        let rays = PyDict::new(py);
+        for (name, kind) in [
+            ("camera", RayKind::Camera),
+            ("reflected", RayKind::Reflected),
+            ("shadow", RayKind::Shadow),
+            ("radiosity", RayKind::Radiosity),
+            ("photon", RayKind::Photon),
+        ] {
+            rays.set_item(name, counters.rays[kind as usize])?;
+        }
+        let tests = PyDict::new(py);
+        for (name, count) in counters.tests_by_shape() {
+            tests.set_item(name, count)?;
+        }
+        let statistics = PyDict::new(py);
+        statistics.set_item("rays", rays)?;
+        statistics.set_item("tests", tests)?;
+        statistics.set_item("cells", counters.cells)?;
+        statistics.set_item("boxes", counters.boxes)?;
+        statistics.set_item("inside_tests", counters.inside)?;
+        statistics.set_item("prepare_seconds", self.prepare_time.as_secs_f64())?;
+        statistics.set_item("trace_seconds", self.trace_time.as_secs_f64())?;
+        Ok(statistics)
+    }
+}
+
+impl Drop for RenderJob {
+    /// A job nobody waits for stops soon.
+    fn drop(&mut self) {
+        self.job.cancel();
+    }
+}

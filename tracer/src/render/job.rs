@@ -1,0 +1,106 @@
+//! A picture in the making: threads take tiles, the caller looks on, or stops it.
+
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::Mutex;
+
+use rayon::prelude::*;
+
+use super::tile::{tiles, Size, Tile};
+use super::Picture;
+use crate::accel::Counters;
+use crate::graph::settings::RenderSettings;
+use crate::prepare::Scene;
+use crate::shade::Tracer;
+
+/// Everything that the threads of one render share.
+pub struct Job {
+    scene: Scene,
+    settings: RenderSettings,
+    tiles: Vec<Tile>,
+    picture: Picture,
+    done: AtomicUsize,
+    cancelled: AtomicBool,
+    counters: Mutex<Counters>,
+}
+
+/// How far a render is, in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// Pixels finished.
+    pub done: usize,
+    /// Pixels asked for.
+    pub total: usize,
+}
+
+impl Job {
+    /// A render that has not started.
+    pub fn new(scene: Scene, settings: &RenderSettings) -> Job {
+        let (width, height) = (settings.width, settings.height);
+        let part = |range: Option<(usize, usize)>, all: usize| match range {
+            Some((start, end)) => start.min(all)..end.min(all),
+            None => 0..all,
+        };
+        Job {
+            scene,
+            tiles: tiles(part(settings.columns, width), part(settings.rows, height)),
+            picture: Picture::empty(width, height),
+            settings: settings.clone(),
+            done: AtomicUsize::new(0),
+            cancelled: AtomicBool::new(false),
+            counters: Mutex::default(),
+        }
+    }
+
+    /// Renders until finished or cancelled.
+    pub fn run(&self) {
+        let threads = rayon::ThreadPoolBuilder::new().num_threads(self.settings.threads).build();
+        match threads {
+            Ok(pool) => pool.install(|| self.render_tiles()),
+            // Without threads of its own the render uses those that are there.
+            Err(_) => self.render_tiles(),
+        }
+    }
+
+    fn render_tiles(&self) {
+        let size = Size { width: self.settings.width, height: self.settings.height };
+        self.tiles.par_iter().with_max_len(1).for_each_init(
+            || Tracer::new(&self.scene),
+            |tracer, tile| {
+                if self.cancelled.load(Ordering::Relaxed) {
+                    return;
+                }
+                let colors = tile.render(tracer, size);
+                self.picture.put(tile, &colors);
+                let counted = std::mem::take(&mut tracer.counters);
+                self.counters.lock().expect("merging does not panic").merge(&counted);
+                self.done.fetch_add(colors.len(), Ordering::Relaxed);
+            },
+        );
+    }
+
+    /// Asks the threads to stop after their tiles.
+    pub fn cancel(&self) {
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether `cancel` was called.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+
+    /// How far it is.
+    pub fn progress(&self) -> Progress {
+        let total = self.tiles.iter().map(|t| t.columns.len() * t.rows.len()).sum();
+        Progress { done: self.done.load(Ordering::Relaxed), total }
+    }
+
+    /// The picture so far.
+    pub fn picture(&self) -> &Picture {
+        &self.picture
+    }
+
+    /// What was counted so far.
+    pub fn counters(&self) -> Counters {
+        self.counters.lock().expect("merging does not panic").clone()
+    }
+}

@@ -1,0 +1,10 @@
+//! From a prepared scene to a picture: tiles on several threads.
+
+mod job;
+mod picture;
+mod random;
+mod tile;
+
+pub use job::{Job, Progress};
+pub use picture::Picture;
+pub use random::Random;
