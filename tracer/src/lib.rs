@@ -11,6 +11,7 @@ pub mod geometry;
 pub mod graph;
 pub mod light;
 pub mod math;
+pub mod mesh;
 pub mod prepare;
 pub mod render;
 pub mod shade;

@@ -20,10 +20,14 @@ pub type Entries = (u32, [f64; 8]);
 
 fn round_down(x: f64) -> f32 {
     let y = x as f32;
-    if f64::from(y) > x {
-        y.next_down()
-    } else {
+    if f64::from(y) <= x {
         y
+    } else if y > 0.0 {
+        f32::from_bits(y.to_bits() - 1)
+    } else if y == 0.0 {
+        -f32::from_bits(1)
+    } else {
+        f32::from_bits(y.to_bits() + 1)
     }
 }
 
@@ -53,7 +57,7 @@ impl Boxes {
     /// The twin of the vector path.
     pub fn entries_scalar(&self, query: &Query, limit: f64) -> Entries {
         let (mut mask, mut enter) = (0, [0.0; 8]);
-        for lane in 0..8 {
+        for (lane, enter) in enter.iter_mut().enumerate() {
             let (mut near, mut far) = (0.0f64, limit);
             for axis in 0..3 {
                 let side = usize::from(query.negative[axis]);
@@ -62,7 +66,7 @@ impl Boxes {
                 far = far.min(to(self.planes[axis][1 - side][lane]) * WIDEN);
             }
             mask |= u32::from(near <= far) << lane;
-            enter[lane] = near;
+            *enter = near;
         }
         (mask, enter)
     }

@@ -41,7 +41,7 @@ fn area(b: &Bounds) -> f64 {
 impl Items<'_> {
     /// Orders `order` so that the eight groups lie one after the other; `by_number` halves without looking.
     pub fn split(&self, order: &mut [u32], by_number: bool) -> Split {
-        let mut groups = vec![0..order.len()];
+        let mut groups: Vec<_> = std::iter::once(0..order.len()).collect();
         let axes = std::array::from_fn(|_| {
             let (axis, cuts) = self.best_cuts(order, &groups);
             let halves = groups.iter().zip(cuts).flat_map(|(group, cut)| {
@@ -83,7 +83,7 @@ impl Items<'_> {
             .iter()
             .map(center)
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| (l.min(c), h.max(c)));
-        if !(high > low) {
+        if high <= low {
             return None;
         }
         let scale = BINS as f64 / (high - low);

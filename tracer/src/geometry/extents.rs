@@ -23,6 +23,7 @@ pub fn of_primitive(shape: &Shape, place: Option<&Transform>, inverse: bool) -> 
     let surface = padded(place.map_or(bounds, |place| bounds.transformed(place)));
     let (solid, hollow) = match (shape.solid(), inverse) {
         (false, _) => (Bounds::EMPTY, Bounds::INFINITE),
+        _ if !shape.bounded() => (Bounds::INFINITE, Bounds::INFINITE),
         (true, false) => (surface, Bounds::INFINITE),
         (true, true) => (Bounds::INFINITE, surface),
     };

@@ -150,8 +150,24 @@ impl Preparation {
         };
         let extent = extents::of_primitive(&shape, place.as_deref(), inverse);
         let patch = !crate::shape::Primitive::solid(&shape);
-        let looks = self.looks(object, around);
+        let mut looks = self.looks(object, around);
+        self.add_part_textures(&object.shape, &to_world, &mut looks);
         Some(self.push(object, around, Solid::Primitive { shape, place }, inverse, patch, extent, looks))
+    }
+
+    /// The textures that parts of the shape wear; they stand in the shape's own space.
+    fn add_part_textures(&mut self, shape: &graph::Shape, to_world: &Transform, looks: &mut Looks) {
+        let textures = match shape {
+            graph::Shape::Mesh(mesh) => &mesh.textures,
+            _ => return,
+        };
+        if textures.is_empty() {
+            return;
+        }
+        let space = (!to_world.is_identity()).then(|| Arc::new(*to_world));
+        let (list, index) = (&mut self.geometry.textures, &mut self.texture_index);
+        looks.part_textures = textures.iter().map(|item| find_or_add(list, index, item, &space)).collect();
+        looks.several_textures = true;
     }
 
     fn add_composite(
@@ -284,6 +300,7 @@ impl Preparation {
             double_illuminate: own.double_illuminate.unwrap_or(given.double_illuminate),
             uv_mapping: own.uv_mapping || given.uv_mapping,
             several_textures: false,
+            part_textures: Arc::default(),
             untextured: own_texture.is_none() && (given.untextured || given.texture.is_none()),
             cutaway: None,
             photons: own.photons.clone().or_else(|| given.photons.clone()),

@@ -12,6 +12,8 @@ pub struct Hit {
     pub crossing: Crossing,
     /// The primitive.
     pub node: NodeId,
+    /// The object at the top that it belongs to.
+    pub object: NodeId,
 }
 
 /// What `Geometry::any` is told after each hit.
@@ -24,7 +26,8 @@ pub enum Answer {
 }
 
 impl Geometry {
-    /// The first hit with `from < t <= limit`. Where two surfaces coincide exactly, the later object in the file wins.
+    /// The first hit with `from < t <= limit`. Where two surfaces coincide exactly, the
+    /// first object in the file wins, within a CSG the last child.
     pub fn nearest(
         &self,
         ray: &Ray,
@@ -90,7 +93,9 @@ impl Geometry {
         let query = Query::new(*ray);
         for &id in &self.infinite {
             if !self.nodes[id as usize].is_hidden(kind) {
-                limit = self.offer_node(id, &query, from, limit, counters, offer);
+                limit = self.offer_node(id, &query, from, limit, counters, &mut |hit: Hit, limit: f64| {
+                    offer(Hit { object: id, ..hit }, limit)
+                });
             }
         }
         self.tree.along(&query, limit, counters, |item, limit, counters| {
@@ -98,7 +103,9 @@ impl Geometry {
             if self.nodes[id as usize].is_hidden(kind) {
                 return limit;
             }
-            self.offer_node(id, &query, from, limit, counters, offer)
+            self.offer_node(id, &query, from, limit, counters, &mut |hit: Hit, limit: f64| {
+                offer(Hit { object: id, ..hit }, limit)
+            })
         })
     }
 
@@ -163,7 +170,7 @@ impl Geometry {
     ) -> f64 {
         match &node.solid {
             Solid::Primitive { shape, place } => {
-                let mut with_node = |crossing, limit| offer(Hit { crossing, node: id }, limit);
+                let mut with_node = |crossing, limit| offer(Hit { crossing, node: id, object: id }, limit);
                 match place {
                     None => shape.intersect(&query.ray, from, limit, counters, &mut with_node),
                     Some(place) => {
@@ -196,7 +203,8 @@ impl Geometry {
     }
 }
 
-/// Which of two hits at the same point is seen.
+/// Which of two hits at the same point is seen: of two objects the first in the file, in a CSG the last.
 fn wins_tie(challenger: &Hit, holder: &Hit) -> bool {
-    (challenger.node, challenger.crossing.part) > (holder.node, holder.crossing.part)
+    let order = |hit: &Hit| (std::cmp::Reverse(hit.object), hit.node, hit.crossing.part);
+    order(challenger) > order(holder)
 }

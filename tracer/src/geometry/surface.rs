@@ -2,7 +2,7 @@
 
 use super::{Geometry, Hit, NodeId, Solid};
 use crate::math::{Ray, Vec3};
-use crate::shape::Primitive;
+use crate::shape::{Primitive, Shape};
 
 /// A point of a surface. Normals have length one and point outward (for an inverse object, inward).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,17 +42,29 @@ impl Geometry {
         }
     }
 
-    /// Surface coordinates for `uv_mapping`.
+    /// Surface coordinates for `uv_mapping`; on shapes that have none, x and y of the point.
     pub fn uv(&self, hit: &Hit, point: Vec3) -> [f64; 2] {
         let Solid::Primitive { shape, place } = &self.nodes[hit.node as usize].solid else {
             unreachable!("hits are on primitives");
         };
-        shape.uv(place.as_ref().map_or(point, |place| place.inverse_point(point)), &hit.crossing)
+        let local = place.as_ref().map_or(point, |place| place.inverse_point(point));
+        shape.uv(local, &hit.crossing).unwrap_or([point.x, point.y])
     }
 
     /// The textures seen at a hit with their shares, for nodes whose looks say `several_textures`.
     pub fn texture_weights(&self, hit: &Hit, _point: Vec3, weights: &mut Vec<(Option<u32>, f64)>) {
         weights.clear();
-        weights.push((self.looks(hit.node).texture, 1.0));
+        let looks = self.looks(hit.node);
+        let Solid::Primitive { shape: Shape::Mesh(mesh), .. } = &self.nodes[hit.node as usize].solid else {
+            return weights.push((looks.texture, 1.0));
+        };
+        match mesh.texture_shares(&hit.crossing) {
+            // A face of one texture is the rule.
+            Some([(a, _), (b, _), (c, _)]) if a == b && b == c => {
+                weights.push((looks.part_texture(a), 1.0));
+            }
+            Some(corners) => weights.extend(corners.map(|(i, share)| (looks.part_texture(i), share))),
+            None => weights.push((looks.texture, 1.0)),
+        }
     }
 }

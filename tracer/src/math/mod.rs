@@ -1,6 +1,7 @@
 //! Vectors, transforms, boxes and rays, in double precision.
 
 mod bounds;
+pub mod polynomial;
 mod ray;
 mod transform;
 mod vec3;

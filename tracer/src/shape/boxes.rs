@@ -76,7 +76,7 @@ impl Primitive for Cuboid {
     }
 
     /// The six faces on the unfolded cube: four across by three up.
-    fn uv(&self, p: Vec3, crossing: &Crossing) -> [f64; 2] {
+    fn uv(&self, p: Vec3, crossing: &Crossing) -> Option<[f64; 2]> {
         let size = self.max - self.min;
         let q = p - self.min;
         let f = vec3(q.x / size.x, q.y / size.y, q.z / size.z);
@@ -88,6 +88,6 @@ impl Primitive for Cuboid {
             4 => (3.0, 1.0, 1.0 - f.x, f.y),
             _ => (1.0, 1.0, f.x, f.y),
         };
-        [(column + s) / 4.0, (row + t) / 3.0]
+        Some([(column + s) / 4.0, (row + t) / 3.0])
     }
 }

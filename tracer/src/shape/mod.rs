@@ -5,15 +5,34 @@
 //! one routine serves nearest hits, shadows, clipping and CSG, and returns the last limit.
 
 mod boxes;
+mod cone;
+mod disc;
 mod plane;
+mod poly;
+mod polygon;
+mod quadric;
 mod sphere;
+#[cfg(test)]
+mod tests;
+mod torus;
+mod triangle;
 
 pub use boxes::Cuboid;
+pub use cone::{frame, Cone};
+pub use disc::Disc;
 pub use plane::Plane;
-pub use sphere::Sphere;
+pub use poly::Poly;
+pub use polygon::{rings, Polygon};
+pub use quadric::Quadric;
+pub use sphere::{spherical_uv, Sphere};
+pub use torus::Torus;
+pub use triangle::{interpolated_normal, Facet, Triangle};
+
+use std::sync::Arc;
 
 use crate::accel::Counters;
 use crate::math::{Bounds, Ray, Vec3};
+use crate::mesh::Mesh;
 
 /// Where a ray meets a primitive.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,13 +87,18 @@ pub trait Primitive {
         self.normal(point, crossing)
     }
 
-    /// Surface coordinates for `uv_mapping`; for shapes that have none, x and y of the point.
-    fn uv(&self, point: Vec3, _crossing: &Crossing) -> [f64; 2] {
-        [point.x, point.y]
+    /// Surface coordinates for `uv_mapping`, for shapes that have them.
+    fn uv(&self, _point: Vec3, _crossing: &Crossing) -> Option<[f64; 2]> {
+        None
     }
 
     /// Whether it encloses a volume.
     fn solid(&self) -> bool {
+        true
+    }
+
+    /// Whether that volume lies within `bounds`.
+    fn bounded(&self) -> bool {
         true
     }
 }
@@ -149,11 +173,14 @@ macro_rules! primitives {
             fn geometric_normal(&self, point: Vec3, crossing: &Crossing) -> Vec3 {
                 match self { $(Shape::$variant(s) => s.geometric_normal(point, crossing)),* }
             }
-            fn uv(&self, point: Vec3, crossing: &Crossing) -> [f64; 2] {
+            fn uv(&self, point: Vec3, crossing: &Crossing) -> Option<[f64; 2]> {
                 match self { $(Shape::$variant(s) => s.uv(point, crossing)),* }
             }
             fn solid(&self) -> bool {
                 match self { $(Shape::$variant(s) => s.solid()),* }
+            }
+            fn bounded(&self) -> bool {
+                match self { $(Shape::$variant(s) => s.bounded()),* }
             }
         }
     };
@@ -162,5 +189,13 @@ macro_rules! primitives {
 primitives! {
     Sphere(Sphere) = "sphere",
     Cuboid(Cuboid) = "box",
+    Cone(Cone) = "cone",
     Plane(Plane) = "plane",
+    Disc(Disc) = "disc",
+    Torus(Torus) = "torus",
+    Quadric(Box<Quadric>) = "quadric",
+    Poly(Arc<Poly>) = "poly",
+    Triangle(Box<Triangle>) = "triangle",
+    Polygon(Box<Polygon>) = "polygon",
+    Mesh(Arc<Mesh>) = "mesh",
 }

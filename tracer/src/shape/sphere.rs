@@ -60,7 +60,7 @@ impl Primitive for Sphere {
         (point - self.center) / self.radius
     }
 
-    fn uv(&self, point: Vec3, _: &Crossing) -> [f64; 2] {
-        spherical_uv(point - self.center)
+    fn uv(&self, point: Vec3, _: &Crossing) -> Option<[f64; 2]> {
+        Some(spherical_uv(point - self.center))
     }
 }
