@@ -1,0 +1,19 @@
+"""Text that is not SDL: what was found, where, and what would have been right."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(slots=True)
+class SdlSyntaxError(Exception):
+    """A file that cannot be parsed; line and column count from 1."""
+
+    message: str
+    path: str
+    line: int
+    column: int
+    hint: str | None = None
+
+    def __str__(self) -> str:
+        return f"{self.path}:{self.line}:{self.column}: error: {self.message}"

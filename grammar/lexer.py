@@ -1,0 +1,196 @@
+"""Text to tokens.
+
+Tokens are Lark tokens whose type is a terminal of sdl.lark. Comments (nestable), blanks and the byte order mark
+vanish. A keyword gets its terminal from THE table; ``#word`` is one token, blanks after ``#`` or not.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any, Final
+
+import numpy as np
+from lark import Token
+from lark.lexer import Lexer
+
+from minipov.grammar.errors import SdlSyntaxError
+from minipov.grammar.keywords import DIRECTIVES, KEYWORDS, Kind
+
+_NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_SIGNED = rf"[+-]?{_NUMBER}"
+_BULK_VECTOR = rf"<\s*+{_SIGNED}(?:\s*+,\s*+{_SIGNED}){{1,4}}\s*+>"
+
+_TOKEN: Final = re.compile(
+    rf"""
+    (?P<skip>[\s\ufeff\x1a\0]+|//[^\n]*)
+  | (?P<comment>/\*)
+  | (?P<word>[A-Za-z_][A-Za-z0-9_]*)
+  | (?P<number>{_NUMBER})
+  | (?P<string>"(?:[^"\\]|\\.)*")
+  | (?P<directive>\#[ \t\r\n]*[A-Za-z_][A-Za-z0-9_]*)
+  | (?P<bulk>(?:{_BULK_VECTOR}\s*+,?\s*+){{24,}}+)
+  | (?P<punctuation><=|>=|!=|[-()<>\[\]{{}},;:.=+*/?!&|])
+    """,
+    re.VERBOSE | re.DOTALL,
+)
+_COMMENT_EDGE: Final = re.compile(r"/\*|\*/")
+_BULK_FLOAT: Final = re.compile(_SIGNED)
+
+_PUNCTUATION: Final = {
+    "(": "LPAR", ")": "RPAR", "<": "LESS", ">": "MORE", "[": "LSQB", "]": "RSQB", "{": "LBRACE", "}": "RBRACE",
+    ",": "COMMA", ";": "SEMICOLON", ":": "COLON", ".": "DOT", "=": "EQUAL", "+": "PLUS", "-": "MINUS", "*": "STAR",
+    "/": "SLASH", "?": "QUESTION", "!": "BANG", "&": "AND", "|": "OR", "<=": "LESSEQ", ">=": "MOREEQ", "!=": "NOTEQ",
+}  # fmt: skip
+
+_KIND_TERMINAL: Final = {
+    Kind.CONSTANT: "CONSTANT",
+    Kind.UNARY_FUNCTION: "UNARY_FUNCTION",
+    Kind.FUNCTION: "FUNCTION",
+    Kind.RGB: "RGB",
+    Kind.WORD: "WORD",
+}
+
+# Directives that 3.7 still takes without '#'.
+_BARE_DIRECTIVES: Final = {"declare": "DECLARE", "include": "INCLUDE"}
+
+_ESCAPES: Final = {"a": "\a", "b": "\b", "f": "\f", "n": "\n", "r": "\r", "t": "\t", "v": "\v", "0": "\0"}
+_ESCAPE: Final = re.compile(r"\\(u[0-9A-Fa-f]{4}|.)", re.DOTALL)
+
+# Words whose terminal the grammar needs to tell apart from the rest.
+_SPECIAL_WORDS: Final = {"function": "FUNCTION_WORD", "deprecated": "DEPRECATED", "default": "DEFAULT_WORD", "once": "ONCE"}
+
+
+def unescape(raw: str) -> str:
+    """The text of a string literal. Where a file name stands, 3.7 takes the raw text instead."""
+
+    def one(match: re.Match[str]) -> str:
+        code = match[1]
+        return chr(int(code[1:], 16)) if len(code) == 5 else _ESCAPES.get(code, code)
+
+    return _ESCAPE.sub(one, raw)
+
+
+def decode(data: bytes) -> str:
+    """The text of a file: UTF-8 with or without byte order mark, else Latin-1 (which takes any byte)."""
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return data.decode("latin-1")
+
+
+def terminals(version: float) -> dict[str, str]:
+    """The terminal of every word that is reserved in ``version``."""
+    table = {k.name: _KIND_TERMINAL[k.kind] for k in KEYWORDS.values() if k.since <= version}
+    if "optional" in table:
+        table["optional"] = "OPTIONAL"
+    return table | _SPECIAL_WORDS | _BARE_DIRECTIVES
+
+
+_TERMINALS_37: Final = terminals(3.7)
+_TERMINALS_38: Final = terminals(3.8)
+_VERSION_38: Final = re.compile(r"#\s*version\s+(?:unofficial\s+)?3\.[89]")
+
+
+def tokenize(text: str, path: str = "") -> Iterator[Token]:
+    """All tokens of ``text``.
+
+    Raises:
+        SdlSyntaxError: an unclosed comment or string, or a character that SDL does not know.
+    """
+    table = _TERMINALS_38 if _VERSION_38.search(text) else _TERMINALS_37
+    match_token = _TOKEN.match
+    at, line, line_start, end = 0, 1, 0, len(text)
+    previous = ""
+    while at < end:
+        match = match_token(text, at)
+        column = at - line_start + 1
+        if match is None:
+            raise _unreadable(text, at, path, line, column)
+        kind, value, start = match.lastgroup, match.group(), at
+        at = match.end()
+        if kind == "word":
+            previous = table.get(value, "NAME")
+            yield Token(previous, value, start, line, column, line, column, at)
+            continue
+        if kind == "punctuation":
+            previous = _PUNCTUATION[value]
+            yield Token(previous, value, start, line, column, line, column, at)
+            continue
+        if kind == "number":
+            previous = "NUMBER"
+            yield Token(previous, value, start, line, column, line, column, at)
+            if match_token(text, at) and text[at] in "._" or text[at : at + 1].isalpha():
+                raise SdlSyntaxError(f"malformed number '{_run(text, start)}'", path, line, column)
+            continue
+        if kind == "comment":
+            at = _comment_end(text, at, path, line, column)
+            value = text[start:at]
+        elif kind == "string":
+            previous = "STRING"
+            yield Token(previous, value[1:-1], start, line, column, line, column, at)
+        elif kind == "directive":
+            previous = _directive(value, path, line, column)
+            yield Token(previous, value, start, line, column, line, column, at)
+        elif kind == "bulk":
+            if previous not in {"COMMA", "LBRACE"} or text[at : at + 1] in {*"+-*/.?"}:
+                previous = "LESS"
+                at = start + 1
+                yield Token(previous, "<", start, line, column, line, column, at)
+                continue
+            previous = "BULK"
+            yield Token(previous, _bulk(value), start, line, column, line, column, at)
+        newlines = value.count("\n")
+        if newlines:
+            line += newlines
+            line_start = start + value.rindex("\n") + 1
+
+
+def _directive(value: str, path: str, line: int, column: int) -> str:
+    word = value[1:].lstrip()
+    if word not in DIRECTIVES:
+        raise SdlSyntaxError(f"unknown directive '#{word}'", path, line, column)
+    return word.upper()
+
+
+def _bulk(value: str) -> Any:
+    size = value[: value.index(">")].count(",") + 1
+    numbers = np.array(_BULK_FLOAT.findall(value), dtype=np.float64)
+    if len(numbers) != size * value.count("<"):
+        return None
+    return numbers.reshape(-1, size), value.rstrip().endswith(",")
+
+
+def _comment_end(text: str, at: int, path: str, line: int, column: int) -> int:
+    depth = 1
+    for edge in _COMMENT_EDGE.finditer(text, at):
+        depth += 1 if edge.group() == "/*" else -1
+        if depth == 0:
+            return edge.end()
+    raise SdlSyntaxError("this comment is never closed", path, line, column, "add */ where it should end")
+
+
+def _run(text: str, at: int) -> str:
+    match = re.compile(r"[\w.]+").match(text, at)
+    return match.group() if match else text[at]
+
+
+def _unreadable(text: str, at: int, path: str, line: int, column: int) -> SdlSyntaxError:
+    if text[at] == '"':
+        return SdlSyntaxError("this string is never closed", path, line, column, 'add " where it should end')
+    if text[at] == "#":
+        return SdlSyntaxError("a directive's name must follow '#'", path, line, column)
+    return SdlSyntaxError(f"unexpected character {text[at]!r}", path, line, column)
+
+
+class SdlLexer(Lexer):
+    """The tokenizer in the shape that Lark asks for, braces matched."""
+
+    def __init__(self, lexer_conf: Any) -> None:
+        """Lark hands over its configuration; the table of keywords says all that is needed."""
+
+    def lex(self, data: tuple[str, str]) -> Iterator[Token]:  # type: ignore[override]
+        """Tokens of (text, path)."""
+        from minipov.grammar.braces import mark_loose_braces
+
+        return iter(mark_loose_braces(list(tokenize(*data))))

@@ -1,0 +1,57 @@
+"""Tokens to tree: Lark's LALR(1) parser builds the nodes of `tree` directly.
+
+>>> parse("sphere { 0, 1 }").items[0].name
+'sphere'
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from lark import Lark, Token
+from lark.exceptions import UnexpectedInput
+
+from minipov.grammar import tree
+from minipov.grammar.builder import Builder
+from minipov.grammar.errors import SdlSyntaxError
+from minipov.grammar.lexer import SdlLexer
+
+
+@cache
+def _parser() -> Lark:
+    grammar = (files("minipov.grammar") / "sdl.lark").read_text()
+    return Lark(grammar, parser="lalr", lexer=SdlLexer, transformer=Builder(), maybe_placeholders=False)
+
+
+def parse(text: str, path: str = "") -> tree.File:
+    """The tree of a whole file.
+
+    Raises:
+        SdlSyntaxError: the text is not SDL.
+    """
+    try:
+        items: Any = _parser().parse((text, path))  # type: ignore[arg-type]  # handed on to SdlLexer as it is
+    except UnexpectedInput as error:
+        raise _explain(error, path) from None
+    return tree.File(path, items)
+
+
+_WORDS = {
+    "COMMA": "','", "SEMICOLON": "';'", "LBRACE": "'{'", "RBRACE": "'}'", "LPAR": "'('", "RPAR": "')'", "LESS": "'<'",
+    "MORE": "'>'", "EQUAL": "'='", "NAME": "an identifier", "NUMBER": "a number", "STRING": "a string", "END": "#end",
+    "RSQB": "']'",
+}  # fmt: skip
+
+
+def _explain(error: UnexpectedInput, path: str) -> SdlSyntaxError:
+    token: Token | None = getattr(error, "token", None)
+    if token is None or token.type == "$END":
+        return SdlSyntaxError("the file ends too early", path, getattr(error, "line", 0), getattr(error, "column", 0))
+    expected: set[str] = set(getattr(error, "expected", ()) or getattr(error, "accepts", ()) or ())
+    found = f"'{token}'" if token.type != "STRING" else "a string"
+    message = f"unexpected {found}"
+    if 0 < len(expected) <= 3:
+        message += ", expected " + " or ".join(sorted(_WORDS.get(e, e.lower()) for e in expected))
+    return SdlSyntaxError(message, path, token.line or 0, token.column or 0)
