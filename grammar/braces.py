@@ -1,7 +1,7 @@
 """Braces whose partner lies in another directive body: ``#if (M) merge { #else union { #end ... }``.
 
 Inside each body of a directive braces are matched; what stays unmatched becomes LOOSE_LBRACE or LOOSE_RBRACE, so that the
-tree nests everywhere else.
+tree nests everywhere else. The parenthesis of ``#write (`` may be loose in the same way.
 """
 
 from __future__ import annotations
@@ -16,30 +16,38 @@ _DIVIDING: Final = frozenset({"ELSE", "ELSEIF", "CASE", "RANGE"})
 
 
 def mark_loose_braces(tokens: Sequence[Token]) -> Sequence[Token]:
-    """The same tokens, with the type of unmatched braces changed in place."""
-    open_braces: list[Token | None] = []  # None marks where a directive's body begins
+    """The same tokens, with the type of unmatched braces and parentheses changed in place."""
+    open_marks: list[Token | None] = []  # None marks where a directive's body begins
 
     def close_body() -> None:
-        while open_braces and (brace := open_braces.pop()) is not None:
-            brace.type = "LOOSE_LBRACE"
+        while open_marks and (mark := open_marks.pop()) is not None:
+            mark.type = "LOOSE_" + mark.type
+
+    def close(token: Token, opening: str) -> None:
+        for at in range(len(open_marks) - 1, -1, -1):
+            mark = open_marks[at]
+            if mark is None:
+                break
+            if mark.type == opening:
+                del open_marks[at:]
+                return
+        token.type = "LOOSE_" + token.type
 
     for token in tokens:
         kind = token.type
-        if kind == "LBRACE":
-            open_braces.append(token)
+        if kind in {"LBRACE", "LPAR"}:
+            open_marks.append(token)
         elif kind == "RBRACE":
-            if open_braces and open_braces[-1] is not None:
-                open_braces.pop()
-            else:
-                token.type = "LOOSE_RBRACE"
+            close(token, "LBRACE")
+        elif kind == "RPAR":
+            close(token, "LPAR")
         elif kind in _OPENING:
-            open_braces.append(None)
+            open_marks.append(None)
         elif kind in _DIVIDING:
             close_body()
-            open_braces.append(None)
+            open_marks.append(None)
         elif kind == "END":
             close_body()
-    for brace in open_braces:
-        if brace is not None:
-            brace.type = "LOOSE_LBRACE"
+    while open_marks:
+        close_body()
     return tokens

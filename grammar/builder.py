@@ -58,6 +58,9 @@ class Builder(Transformer[Token, Any]):
     def loose(self, c: Children) -> Any:
         return tree.LooseBrace(c[0].line, c[0].column, c[0].type == "LOOSE_LBRACE")
 
+    def loose_paren(self, c: Children) -> Any:
+        return tree.LooseParen(c[0].line, c[0].column)
+
     def bulk(self, c: Children) -> Any:
         values, trailing_comma = c[0].value
         return tree.BulkVectors(c[0].line, c[0].column, values, trailing_comma)
@@ -92,6 +95,9 @@ class Builder(Transformer[Token, Any]):
 
     def paren(self, c: Children) -> Any:
         return tree.Paren(c[0].line, c[0].column, c[1])
+
+    def group(self, c: Children) -> Any:
+        return tree.Group(c[0].line, c[0].column, _items(c[1:-1]))
 
     def member_name(self, c: Children) -> Any:
         return str(c[0])
@@ -262,6 +268,9 @@ class Builder(Transformer[Token, Any]):
 
     def write(self, c: Children) -> Any:
         return tree.FileWrite(c[0].line, c[0].column, str(c[2]), _items(c[3:-1]))
+
+    def write_open(self, c: Children) -> Any:
+        return tree.FileWriteOpen(c[0].line, c[0].column, str(c[2]))
 
 
 class _Else:

@@ -23,7 +23,7 @@ _BULK_VECTOR = rf"<\s*+{_SIGNED}(?:\s*+,\s*+{_SIGNED}){{1,4}}\s*+>"
 
 _TOKEN: Final = re.compile(
     rf"""
-    (?P<skip>[\s\ufeff\x1a\0]+|//[^\n]*)
+    (?P<skip>[\s\ufeff\x1a\0]+|//[^\n]*|\#(?![ \t\r\n]*[A-Za-z_]))
   | (?P<comment>/\*)
   | (?P<word>[A-Za-z_][A-Za-z0-9_]*)
   | (?P<number>{_NUMBER})
@@ -178,8 +178,6 @@ def _run(text: str, at: int) -> str:
 def _unreadable(text: str, at: int, path: str, line: int, column: int) -> SdlSyntaxError:
     if text[at] == '"':
         return SdlSyntaxError("this string is never closed", path, line, column, 'add " where it should end')
-    if text[at] == "#":
-        return SdlSyntaxError("a directive's name must follow '#'", path, line, column)
     return SdlSyntaxError(f"unexpected character {text[at]!r}", path, line, column)
 
 

@@ -95,6 +95,13 @@ class Paren(Node):
 
 
 @dataclass(frozen=True, slots=True)
+class Group(Node):
+    """``( ... )`` with directives inside, such as ``(#if (A) 1 #else 2 #end)``; worth what its items leave."""
+
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Member(Node):
     """``a.x``, ``c.red``, 3.8 ``d.key``."""
 
@@ -140,7 +147,7 @@ class FunctionLiteral(Node):
 
 @dataclass(frozen=True, slots=True)
 class FunctionBlock(Node):
-    """``pattern { ... }``, ``pigment``, ``transform`` or ``spline`` as a function's body; ``internal(N)`` as its items."""
+    """``pattern { ... }``, ``pigment``, ``transform``, ``spline`` or ``internal(N)`` as a function's body."""
 
     name: str
     items: tuple[Item, ...]
@@ -170,6 +177,11 @@ class LooseBrace(Node):
     """A brace whose partner lies outside the directive body that it stands in."""
 
     opening: bool
+
+
+@dataclass(frozen=True, slots=True)
+class LooseParen(Node):
+    """The ``)`` that closes a `FileWriteOpen`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -229,7 +241,7 @@ class Include(Node):
 
 @dataclass(frozen=True, slots=True)
 class Branch(Node):
-    """A condition with what it guards; ``defined`` says ``#ifdef`` (True), ``#ifndef`` (False), or a plain condition."""
+    """A condition with what it guards; ``defined`` True is ``#ifdef``, False ``#ifndef``, None a plain condition."""
 
     condition: Expression
     items: tuple[Item, ...]
@@ -351,6 +363,16 @@ class FileWrite(Node):
 
 
 @dataclass(frozen=True, slots=True)
+class FileWriteOpen(Node):
+    """``#write (name,`` whose parenthesis closes outside the directive body that it stands in.
+
+    What comes up to the `LooseParen` is written.
+    """
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
 class Obsolete(Node):
     """``#max_trace_level F`` and ``#max_intersections F``."""
 
@@ -376,6 +398,7 @@ Expression: TypeAlias = (
     | Binary
     | Conditional
     | Paren
+    | Group
     | Member
     | Subscript
     | Call
@@ -400,7 +423,8 @@ Directive: TypeAlias = (
     | FileClose
     | FileRead
     | FileWrite
+    | FileWriteOpen
     | Obsolete
 )
 
-Item: TypeAlias = Expression | Keyword | Block | LooseBrace | Bracket | Punctuation | BulkVectors | Directive
+Item: TypeAlias = Expression | Keyword | Block | LooseBrace | LooseParen | Bracket | Punctuation | BulkVectors | Directive
