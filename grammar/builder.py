@@ -8,11 +8,11 @@ from __future__ import annotations
 from typing import Any, TypeAlias
 
 from lark import Token, Transformer
-
 from minipov.grammar import tree
 from minipov.grammar.errors import SdlSyntaxError
 
 Children: TypeAlias = list[Any]
+
 
 class _Several(tuple[Any, ...]):
     """Items that one rule found together; the list around them takes them one by one."""
@@ -149,9 +149,7 @@ class Builder(Transformer[Token, Any]):
 
     def declare_tuple(self, c: Children) -> Any:
         targets, optional = c[2]
-        return tree.Declare(
-            c[0].line, c[0].column, c[0].type == "LOCAL", targets, form=c[1].value, optional=optional
-        )
+        return tree.Declare(c[0].line, c[0].column, c[0].type == "LOCAL", targets, form=c[1].value, optional=optional)
 
     def targets(self, c: Children) -> Any:
         """Targets between commas; an empty place between two commas is None."""

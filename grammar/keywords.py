@@ -108,9 +108,6 @@ KEYWORDS: Final[dict[str, Keyword]] = {
 } | {word: Keyword(word, kind, 3.8) for kind, words in _SINCE_38.items() for word in words.split()}
 
 DIRECTIVES: Final[frozenset[str]] = frozenset(
-    """
-break case debug declare default else elseif end error fclose fopen for if ifdef ifndef include local macro
-max_intersections max_trace_level range read render statistics switch undef version warning while write
-""".split()
+    ["break", "case", "debug", "declare", "default", "else", "elseif", "end", "error", "fclose", "fopen", "for", "if", "ifdef", "ifndef", "include", "local", "macro", "max_intersections", "max_trace_level", "range", "read", "render", "statistics", "switch", "undef", "version", "warning", "while", "write"]
 )
 """The words that may follow ``#``."""

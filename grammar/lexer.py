@@ -13,7 +13,6 @@ from typing import Any, Final
 import numpy as np
 from lark import Token
 from lark.lexer import Lexer
-
 from minipov.grammar.errors import SdlSyntaxError
 from minipov.grammar.keywords import DIRECTIVES, KEYWORDS, Kind
 
@@ -58,7 +57,12 @@ _ESCAPES: Final = {"a": "\a", "b": "\b", "f": "\f", "n": "\n", "r": "\r", "t": "
 _ESCAPE: Final = re.compile(r"\\(u[0-9A-Fa-f]{4}|.)", re.DOTALL)
 
 # Words whose terminal the grammar needs to tell apart from the rest.
-_SPECIAL_WORDS: Final = {"function": "FUNCTION_WORD", "deprecated": "DEPRECATED", "default": "DEFAULT_WORD", "once": "ONCE"}
+_SPECIAL_WORDS: Final = {
+    "function": "FUNCTION_WORD",
+    "deprecated": "DEPRECATED",
+    "default": "DEFAULT_WORD",
+    "once": "ONCE",
+}
 
 
 def unescape(raw: str) -> str:
@@ -120,7 +124,7 @@ def tokenize(text: str, path: str = "") -> Iterator[Token]:
         if kind == "number":
             previous = "NUMBER"
             yield Token(previous, value, start, line, column, line, column, at)
-            if match_token(text, at) and text[at] in "._" or text[at : at + 1].isalpha():
+            if (match_token(text, at) and text[at] in "._") or text[at : at + 1].isalpha():
                 raise SdlSyntaxError(f"malformed number '{_run(text, start)}'", path, line, column)
             continue
         if kind == "comment":

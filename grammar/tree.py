@@ -427,4 +427,6 @@ Directive: TypeAlias = (
     | Obsolete
 )
 
-Item: TypeAlias = Expression | Keyword | Block | LooseBrace | LooseParen | Bracket | Punctuation | BulkVectors | Directive
+Item: TypeAlias = (
+    Expression | Keyword | Block | LooseBrace | LooseParen | Bracket | Punctuation | BulkVectors | Directive
+)
