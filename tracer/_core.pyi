@@ -1,9 +1,17 @@
 """The compiled core."""
 
 import numpy as np
+from minipov.tracer.objects import Object
 from minipov.tracer.scene import Scene
 from minipov.tracer.settings import RenderSettings
+from minipov.tracer.values import Vec3
 from numpy.typing import NDArray
+
+class Question:
+    def __init__(self, object: Object) -> None: ...
+    def trace(self, origin: Vec3, direction: Vec3) -> tuple[Vec3, Vec3] | None: ...
+    def inside(self, point: Vec3) -> bool: ...
+    def extents(self) -> tuple[Vec3, Vec3]: ...
 
 class RenderJob:
     def __init__(self, scene: Scene, settings: RenderSettings) -> None: ...

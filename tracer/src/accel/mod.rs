@@ -38,6 +38,14 @@ impl std::str::FromStr for AcceleratorKind {
     }
 }
 
+/// Share of its coordinates by which a box is widened past the rounding of what is inside.
+const MARGIN: f64 = 1e-9;
+
+fn padded(b: &Bounds) -> Bounds {
+    let reach = b.min.map(f64::abs).max(b.max.map(f64::abs)).max_element();
+    b.widened(MARGIN * reach)
+}
+
 /// A search structure over numbered boxes.
 #[derive(Debug)]
 pub enum Accelerator {
@@ -52,7 +60,10 @@ impl Accelerator {
     pub fn build(kind: AcceleratorKind, boxes: &[Bounds]) -> Accelerator {
         match kind {
             AcceleratorKind::Linear => Accelerator::Linear(Linear::new(boxes.len())),
-            AcceleratorKind::Octree => Accelerator::Octree(Octree::build(boxes, 1)),
+            AcceleratorKind::Octree => {
+                let boxes: Vec<Bounds> = boxes.iter().map(padded).collect();
+                Accelerator::Octree(Octree::build(&boxes, 1))
+            }
         }
     }
 

@@ -2,30 +2,17 @@
 
 use super::node::{overlaps_of_others, Extent, Node, NodeId};
 use crate::csg::Operation;
-use crate::math::{Bounds, Transform, Vec3};
+use crate::math::{Bounds, Transform};
 use crate::shape::{Primitive, Shape};
-
-/// Share of its coordinates by which a box is widened past the rounding of what is inside.
-const MARGIN: f64 = 1e-9;
-
-fn padded(b: Bounds) -> Bounds {
-    if !b.is_finite() {
-        return b;
-    }
-    let reach = b.min.map(f64::abs).max(b.max.map(f64::abs)).max_element();
-    let margin = Vec3::splat(MARGIN * reach);
-    Bounds { min: b.min - margin, max: b.max + margin }
-}
 
 /// Extent of a primitive in its place.
 pub fn of_primitive(shape: &Shape, place: Option<&Transform>, inverse: bool) -> Extent {
-    let bounds = shape.bounds();
-    let surface = padded(place.map_or(bounds, |place| bounds.transformed(place)));
+    let placed = |bounds: Bounds| place.map_or(bounds, |place| bounds.transformed(place));
+    let (surface, inside) = (placed(shape.bounds()), placed(shape.solid_bounds()));
     let (solid, hollow) = match (shape.solid(), inverse) {
         (false, _) => (Bounds::EMPTY, Bounds::INFINITE),
-        _ if !shape.bounded() => (Bounds::INFINITE, Bounds::INFINITE),
-        (true, false) => (surface, Bounds::INFINITE),
-        (true, true) => (Bounds::INFINITE, surface),
+        (true, false) => (inside, Bounds::INFINITE),
+        (true, true) => (Bounds::INFINITE, inside),
     };
     Extent { surface, solid, hollow }
 }
@@ -36,9 +23,16 @@ pub fn of_composite(operation: Operation, children: &[NodeId], nodes: &[Node]) -
     let all = |pick: fn(&Extent) -> Bounds| extents.iter().map(|e| pick(e)).collect::<Vec<_>>();
     let union = |boxes: &[Bounds]| boxes.iter().fold(Bounds::EMPTY, |sum, b| sum.union(b));
     let overlap = |boxes: &[Bounds]| boxes.iter().fold(Bounds::INFINITE, |sum, b| sum.intersection(b));
-    // A child's surface counts where the other children let it.
-    let cut = |others: &[Bounds]| {
-        let kept = extents.iter().zip(overlaps_of_others(others)).map(|(e, o)| e.surface.intersection(&o));
+    // A child's surface counts where the other children let it, and where it encloses something, at that.
+    let cut = |boxes: &[Bounds]| {
+        let kept = extents.iter().zip(boxes).zip(overlaps_of_others(boxes)).map(|((e, own), others)| {
+            let kept = e.surface.intersection(&others);
+            if own.is_empty() {
+                kept
+            } else {
+                kept.intersection(own)
+            }
+        });
         kept.filter(|b| !b.is_empty()).fold(Bounds::EMPTY, |sum, b| sum.union(&b))
     };
     let (surfaces, solids, hollows) = (all(|e| e.surface), all(|e| e.solid), all(|e| e.hollow));

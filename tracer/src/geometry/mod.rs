@@ -10,6 +10,7 @@ mod looks;
 mod node;
 mod place;
 mod prepare;
+mod question;
 mod search;
 mod surface;
 #[cfg(test)]
@@ -18,6 +19,7 @@ mod tests;
 pub use looks::{Looks, Worn};
 pub use node::{Node, NodeId, Solid};
 pub use prepare::prepare;
+pub use question::Questioned;
 pub use search::{Answer, Hit};
 pub use surface::Surface;
 

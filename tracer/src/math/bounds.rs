@@ -48,6 +48,11 @@ impl Bounds {
         (0..3).all(|a| self.min[a] <= p[a] && p[a] <= self.max[a])
     }
 
+    /// The box with all sides moved outward.
+    pub fn widened(&self, margin: f64) -> Bounds {
+        Bounds { min: self.min - Vec3::splat(margin), max: self.max + Vec3::splat(margin) }
+    }
+
     /// The eight corners.
     pub fn corners(&self) -> [Vec3; 8] {
         std::array::from_fn(|i| {
@@ -60,6 +65,9 @@ impl Bounds {
     /// The box around the transformed box; an infinite box stays wholly infinite.
     pub fn transformed(&self, t: &Transform) -> Bounds {
         if self.is_empty() {
+            return *self;
+        }
+        if t.is_identity() {
             return *self;
         }
         if !self.is_finite() {

@@ -1,11 +1,14 @@
 //! The thin Python binding of the core: `minipov.tracer._core`.
 
+mod question;
 mod render;
 
 use pyo3::prelude::*;
 
 #[pymodule]
 mod _core {
+    #[pymodule_export]
+    use super::question::Question;
     #[pymodule_export]
     use super::render::RenderJob;
 }

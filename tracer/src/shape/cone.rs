@@ -20,12 +20,16 @@ pub struct Cone {
     open: bool,
 }
 
-/// The frame whose z axis runs from `base` towards `cap`; none where they coincide.
+/// The frame whose z axis runs from `base` towards `cap`, turned there by the shortest way (so that boxes around it are
+/// POV-Ray's); none where they coincide.
 pub fn frame(base: Vec3, cap: Vec3) -> Option<Transform> {
     let z = (cap - base).normalized();
-    let aside = if z.x.abs() < 0.5 { Vec3::X } else { Vec3::Y };
-    let x = aside.cross(z).normalized();
-    let y = z.cross(x);
+    let (x, y) = if z.z > -1.0 + 1e-12 {
+        let k = 1.0 / (1.0 + z.z);
+        (vec3(1.0 - k * z.x * z.x, -k * z.x * z.y, -z.x), vec3(-k * z.x * z.y, 1.0 - k * z.y * z.y, -z.y))
+    } else {
+        (Vec3::X, -Vec3::Y)
+    };
     Transform::from_matrix([x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z, base.x, base.y, base.z])
 }
 

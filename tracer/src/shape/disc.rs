@@ -21,6 +21,10 @@ impl Primitive for Disc {
         Bounds { min: vec3(-r, -r, 0.0), max: vec3(r, r, 0.0) }
     }
 
+    fn solid_bounds(&self) -> Bounds {
+        Bounds::INFINITE
+    }
+
     #[inline]
     fn intersect(
         &self,
@@ -49,10 +53,5 @@ impl Primitive for Disc {
 
     fn normal(&self, _: Vec3, _: &Crossing) -> Vec3 {
         Vec3::Z
-    }
-
-    /// Its inside has no border elsewhere.
-    fn bounded(&self) -> bool {
-        false
     }
 }

@@ -66,6 +66,11 @@ pub trait Primitive {
     /// Where its surface lies.
     fn bounds(&self) -> Bounds;
 
+    /// Where its inside lies.
+    fn solid_bounds(&self) -> Bounds {
+        self.bounds()
+    }
+
     /// Offers crossings with `from < t <= limit`; see the module.
     fn intersect(
         &self,
@@ -94,11 +99,6 @@ pub trait Primitive {
 
     /// Whether it encloses a volume.
     fn solid(&self) -> bool {
-        true
-    }
-
-    /// Whether that volume lies within `bounds`.
-    fn bounded(&self) -> bool {
         true
     }
 }
@@ -148,6 +148,9 @@ macro_rules! primitives {
             fn bounds(&self) -> Bounds {
                 match self { $(Shape::$variant(s) => s.bounds()),* }
             }
+            fn solid_bounds(&self) -> Bounds {
+                match self { $(Shape::$variant(s) => s.solid_bounds()),* }
+            }
             #[inline]
             fn intersect(
                 &self,
@@ -178,9 +181,6 @@ macro_rules! primitives {
             }
             fn solid(&self) -> bool {
                 match self { $(Shape::$variant(s) => s.solid()),* }
-            }
-            fn bounded(&self) -> bool {
-                match self { $(Shape::$variant(s) => s.bounded()),* }
             }
         }
     };

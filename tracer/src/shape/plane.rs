@@ -23,8 +23,12 @@ impl Plane {
 }
 
 impl Primitive for Plane {
-    /// Of the half-space, not of its border alone: planes along an axis bound the solids that they cut.
     fn bounds(&self) -> Bounds {
+        Bounds::INFINITE
+    }
+
+    /// Planes across an axis bound the solids that they cut.
+    fn solid_bounds(&self) -> Bounds {
         let mut bounds = Bounds::INFINITE;
         for axis in 0..3 {
             if self.normal[axis] == 1.0 {

@@ -23,18 +23,18 @@ fn samples() -> Vec<(Object, Kind)> {
     let cube = |vertices: Vec<Vec3>| shapes::Mesh {
         vertices,
         faces: vec![
-            [0, 2, 1],
-            [1, 2, 3],
-            [4, 5, 6],
-            [5, 7, 6],
-            [0, 1, 4],
-            [1, 5, 4],
-            [2, 6, 3],
-            [3, 6, 7],
-            [0, 4, 2],
-            [2, 4, 6],
-            [1, 3, 5],
-            [3, 7, 5],
+            [0, 1, 2],
+            [1, 3, 2],
+            [4, 6, 5],
+            [5, 6, 7],
+            [0, 4, 1],
+            [1, 4, 5],
+            [2, 3, 6],
+            [3, 7, 6],
+            [0, 2, 4],
+            [2, 6, 4],
+            [1, 5, 3],
+            [3, 5, 7],
         ],
         inside_vector: Some(vec3(0.3, 0.5, 0.77)),
         ..shapes::Mesh::default()
@@ -120,7 +120,7 @@ fn contract_of_primitives() {
         for object in [plain.clone(), plain.clone().placed(turned)] {
             let geometry = ready(&object);
             let top = geometry.top().next().unwrap();
-            let bounds = geometry.node(top).extent.surface;
+            let bounds = geometry.node(top).extent.surface.widened(1e-9);
             for _ in 0..1500 {
                 let ray = some_ray(&mut random);
                 let hits = all_hits(&geometry, &ray, 1e-4);

@@ -48,10 +48,10 @@ impl Facet {
         Some(Crossing { t: self.edge_v.dot(q) * scale, part, u, v })
     }
 
-    /// Normal of any length.
+    /// Normal of any length; seen from its tip the corners go clockwise, as in POV-Ray.
     #[inline]
     pub fn normal(&self) -> Vec3 {
-        self.edge_u.cross(self.edge_v)
+        self.edge_v.cross(self.edge_u)
     }
 }
 
@@ -62,7 +62,7 @@ pub struct Triangle {
     normals: Option<[Vec3; 3]>,
 }
 
-/// The normal between three, on the side that the facet's own normal is on.
+/// The normal between three.
 #[inline]
 pub fn interpolated_normal(normals: [Vec3; 3], crossing: &Crossing) -> Vec3 {
     let [a, b, c] = normals;
