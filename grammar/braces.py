@@ -1,7 +1,7 @@
 """Braces whose partner lies in another directive body: ``#if (M) merge { #else union { #end ... }``.
 
-Inside each body of a directive braces are matched; what stays unmatched becomes LOOSE_LBRACE or LOOSE_RBRACE, so that the
-tree nests everywhere else. The parenthesis of ``#write (`` may be loose in the same way.
+Inside each body of a directive braces are matched; what stays unmatched becomes LOOSE_LBRACE or LOOSE_RBRACE, so
+that the tree nests everywhere else. The parenthesis of ``#write (`` may be loose in the same way.
 """
 
 from __future__ import annotations

@@ -107,7 +107,10 @@ KEYWORDS: Final[dict[str, Keyword]] = {
     word: Keyword(word, kind) for kind, words in _FAMILIES for word in words.split()
 } | {word: Keyword(word, kind, 3.8) for kind, words in _SINCE_38.items() for word in words.split()}
 
-DIRECTIVES: Final[frozenset[str]] = frozenset(
-    ["break", "case", "debug", "declare", "default", "else", "elseif", "end", "error", "fclose", "fopen", "for", "if", "ifdef", "ifndef", "include", "local", "macro", "max_intersections", "max_trace_level", "range", "read", "render", "statistics", "switch", "undef", "version", "warning", "while", "write"]
-)
+_DIRECTIVES = """
+break case debug declare default else elseif end error fclose fopen for if ifdef ifndef include local macro
+max_intersections max_trace_level range read render statistics switch undef version warning while write
+"""
+
+DIRECTIVES: Final[frozenset[str]] = frozenset(_DIRECTIVES.split())
 """The words that may follow ``#``."""

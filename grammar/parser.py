@@ -11,11 +11,11 @@ from importlib.resources import files
 from typing import Any
 
 import lark
-from lark import Lark, Token
+from lark import Lark
 from lark.exceptions import UnexpectedInput
 from minipov.grammar import tree
 from minipov.grammar.builder import Builder
-from minipov.grammar.errors import SdlSyntaxError
+from minipov.grammar.explain import explain
 from minipov.grammar.lexer import SdlLexer
 from platformdirs import user_cache_path
 
@@ -39,24 +39,5 @@ def parse(text: str, path: str = "") -> tree.File:
     try:
         items: Any = _parser().parse((text, path))  # type: ignore[arg-type]  # handed on to SdlLexer as it is
     except UnexpectedInput as error:
-        raise _explain(error, path) from None
+        raise explain(error, text, path) from None
     return tree.File(path, items)
-
-
-_WORDS = {
-    "COMMA": "','", "SEMICOLON": "';'", "LBRACE": "'{'", "RBRACE": "'}'", "LPAR": "'('", "RPAR": "')'", "LESS": "'<'",
-    "MORE": "'>'", "EQUAL": "'='", "NAME": "an identifier", "NUMBER": "a number", "STRING": "a string", "END": "#end",
-    "RSQB": "']'",
-}  # fmt: skip
-
-
-def _explain(error: UnexpectedInput, path: str) -> SdlSyntaxError:
-    token: Token | None = getattr(error, "token", None)
-    if token is None or token.type == "$END":
-        return SdlSyntaxError("the file ends too early", path, getattr(error, "line", 0), getattr(error, "column", 0))
-    expected: set[str] = set(getattr(error, "expected", ()) or getattr(error, "accepts", ()) or ())
-    found = f"'{token}'" if token.type != "STRING" else "a string"
-    message = f"unexpected {found}"
-    if 0 < len(expected) <= 3:
-        message += ", expected " + " or ".join(sorted(_WORDS.get(e, e.lower()) for e in expected))
-    return SdlSyntaxError(message, path, token.line or 0, token.column or 0)
