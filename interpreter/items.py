@@ -7,10 +7,15 @@ its items (`reader.ItemReader`) and yields one value, pushed into the sink above
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from copy import copy
 from dataclasses import dataclass, field
-from typing import Any, Final, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from minipov.interpreter.errors import NOWHERE, Place
+
+if TYPE_CHECKING:
+    from minipov.interpreter.reader import ItemReader
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +48,22 @@ class Block:
 
 
 @dataclass(frozen=True, slots=True)
+class Unread:
+    """A block whose meaning depends on what it stands in, not read yet: ``finish {...}`` changes the finish of the
+    texture or object around it. A declaration, an array element or a macro argument takes ``complete(item)`` instead.
+    """
+
+    name: str
+    reader: ItemReader
+    alone: Callable[[ItemReader], Any]
+
+
+def complete(item: Item) -> Item:
+    """The item as a value by itself: an `Unread` block is read on top of the current defaults."""
+    return item.alone(copy(item.reader)) if isinstance(item, Unread) else item
+
+
+@dataclass(frozen=True, slots=True)
 class Entry:
     """A bracket ``[ ... ]``: an entry of a map. Its items are kept, for the map to read."""
 
@@ -51,13 +72,17 @@ class Entry:
 
 
 Item: TypeAlias = Any
-"""A `Word`, `Punctuation`, `Block`, `Entry`, NumPy array (a bulk run of literals), or a value of SDL: float, `Vector`,
-str, `Array`, function, spline, map, `Transform`, or any node of the scene graph."""
+"""A `Word`, `Punctuation`, `Block`, `Unread`, `Entry`, NumPy array (a bulk run of literals), or a value of SDL: float,
+`Vector`, str, `Array`, function, spline, map, `Transform`, or any node of the scene graph."""
 
 
 @dataclass(slots=True)
 class Sink:
-    """An open block: its name (the word before the brace, "" for none, "file" at top level) and its items so far."""
+    """An open block and its items so far.
+
+    ``name`` is the word before the brace, "" for none, "file" at top level, "[" in a bracket, "#default" in that
+    directive's block.
+    """
 
     name: str
     place: Place = NOWHERE

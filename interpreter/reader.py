@@ -108,6 +108,15 @@ class ItemReader:
         at = self._at + (self.peek() is COMMA)
         return at < len(self._items) and isinstance(self._items[at], float | Vector)
 
+    def is_float(self) -> bool:
+        """Whether the next item (after an optional comma) is a float."""
+        at = self._at + (self.peek() is COMMA)
+        return at < len(self._items) and isinstance(self._items[at], float)
+
+    def next_is_comma(self) -> bool:
+        """Whether the next item is a comma."""
+        return self.peek() is COMMA
+
     def float(self) -> float:
         """A float."""
         return self.terms("a number", 1)[0]

@@ -1,0 +1,285 @@
+"""SDL: ``camera { perspective location <0,2,-5> look_at 0 angle 50 aperture 0.1 blur_samples 20 }``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from typing import Any, Final
+
+from minipov.interpreter.constructs.camera_frame import Frame, difference, length
+from minipov.interpreter.constructs.common import Field, number, read_fields, unexpected, unread
+from minipov.interpreter.constructs.fields import read_function
+from minipov.interpreter.constructs.normal import SMOOTH, read_normal
+from minipov.interpreter.constructs.pigment import default_pigment, read_pigment
+from minipov.interpreter.constructs.transforms import TRANSFORM_WORDS, read_transform, read_transforms
+from minipov.interpreter.context import Context
+from minipov.interpreter.errors import SdlError
+from minipov.interpreter.items import Block, Sink
+from minipov.interpreter.reader import ItemReader
+from minipov.interpreter.registry import construct
+from minipov.tracer.camera import Camera, CameraKind, FocalBlur, MeshCamera, UserDefinedCamera
+from minipov.tracer.function import Function
+from minipov.tracer.normal import Normal
+from minipov.tracer.objects import Object
+from minipov.tracer.shapes import Mesh
+from minipov.tracer.transform import IDENTITY, Transform
+from minipov.tracer.values import Vec3
+
+KINDS: Final[dict[str, CameraKind]] = {
+    "perspective": "perspective",
+    "orthographic": "orthographic",
+    "fisheye": "fisheye",
+    "ultra_wide_angle": "ultra_wide_angle",
+    "omnimax": "omnimax",
+    "panoramic": "panoramic",
+    "spherical": "spherical",
+    "user_defined": "user_defined",
+}
+CYLINDERS: Final[tuple[CameraKind, ...]] = ("cylinder1", "cylinder2", "cylinder3", "cylinder4")
+VECTORS: Final = ("right", "direction", "angle", "up", "sky", "location", "look_at", "focal_point")
+"""The keywords that act on the frame, in the order in which they act since version 3.5."""
+
+BLUR_FIELDS: Final[dict[str, Field]] = {
+    "aperture": number("aperture"),
+    "confidence": number("confidence"),
+    "variance": number("variance"),
+}
+ACCEPTS: Final = (
+    *KINDS,
+    *VECTORS,
+    *BLUR_FIELDS,
+    *TRANSFORM_WORDS,
+    *("cylinder", "mesh_camera", "blur_samples", "bokeh", "normal"),
+)
+TEXTUAL_ORDER: Final = 3.5
+ASPECT_OF_IMAGE: Final = 3.8
+
+
+@dataclass(slots=True)
+class _Said:
+    """What stands in a camera block."""
+
+    steps: list[tuple[str, Any]] = field(default_factory=list)
+    blur: dict[str, Any] = field(default_factory=dict)
+    rest: dict[str, Any] = field(default_factory=dict)
+    transform: Transform = IDENTITY
+    vertical_angle: float | None = None
+    bare_angle: bool = False
+
+
+@construct(
+    "camera",
+    signature="[type] [location V] [look_at V] [angle F] [right V] [up V] [sky V] [aperture F ...] | identifier",
+    doc="From where and how the picture is taken.",
+    accepts=ACCEPTS,
+)
+def camera(reader: ItemReader, context: Context, sink: Sink) -> Camera:
+    named = reader.node(Camera)
+    if named is not None:
+        return moved(named, read_transforms(reader, context))
+    frame = _start(context)
+    said = _Said()
+    _read_kind(reader, frame, said)
+    if frame.kind == "spherical":
+        frame.angle, said.vertical_angle = 360.0, 180.0
+    while not reader.at_end:
+        if not (_read_vector(reader, context, frame, said) or _read_other(reader, context, said)):
+            unexpected(reader, ACCEPTS)
+    return _built(frame, said, sink, context)
+
+
+def moved(camera: Camera, transform: Transform) -> Camera:
+    """The camera carried along by a transformation."""
+    if transform is IDENTITY:
+        return camera
+    return replace(
+        camera,
+        location=transform.point(camera.location),
+        direction=transform.direction(camera.direction),
+        right=transform.direction(camera.right),
+        up=transform.direction(camera.up),
+    )
+
+
+def _start(context: Context) -> Frame:
+    frame = Frame()
+    default = context.default_camera
+    if isinstance(default, Camera):
+        frame.location, frame.direction = default.location, default.direction
+        frame.right, frame.up = default.right, default.up
+    elif context.version >= ASPECT_OF_IMAGE:
+        frame.right = (context.options.width / context.options.height, 0.0, 0.0)
+    return frame
+
+
+def _read_kind(reader: ItemReader, frame: Frame, said: _Said) -> None:
+    word = reader.word(*KINDS)
+    if word is not None:
+        frame.kind = KINDS[word]
+    elif reader.word("cylinder"):
+        kind = reader.integer()
+        if not 1 <= kind <= len(CYLINDERS):
+            reader.fail("a cylinder camera from 1 to 4")
+        frame.kind = CYLINDERS[kind - 1]
+    else:
+        mesh = reader.block("mesh_camera")
+        if mesh is not None:
+            frame.kind = "mesh_camera"
+            said.rest["mesh"] = mesh
+
+
+def _read_vector(reader: ItemReader, context: Context, frame: Frame, said: _Said) -> bool:
+    """One of the keywords that act on the frame."""
+    word = reader.word(*VECTORS)
+    if word is None:
+        return False
+    if word == "angle":
+        if not reader.is_number() and frame.kind == "orthographic":
+            said.bare_angle = True
+            return True
+        angle = reader.float()
+        if frame.kind in ("perspective", "orthographic") and not 0.0 < angle < 180.0:
+            reader.fail("an angle between 0 and 180")
+        if frame.kind == "spherical":
+            said.vertical_angle = reader.float() if reader.is_number() else angle / 2.0
+        said.steps.append((word, angle))
+    else:
+        said.steps.append((word, reader.vector()))
+    return True
+
+
+def _read_other(reader: ItemReader, context: Context, said: _Said) -> bool:
+    """Transformations, focal blur, normals and the functions of a user_defined camera."""
+    transform = read_transform(reader, context)
+    if transform is not None:
+        said.transform = said.transform.then(transform)
+        return True
+    blur = read_fields(reader, BLUR_FIELDS)
+    if blur is not None:
+        said.blur.update(blur)
+        return True
+    if reader.word("blur_samples"):
+        said.blur["blur_samples"] = _blur_samples(reader)
+        return True
+    items = unread(reader, "normal")
+    if items is not None:
+        said.rest["normal"] = read_normal(items, context, SMOOTH)
+        return True
+    block = reader.node((Block, Normal))
+    if isinstance(block, Normal):
+        said.rest["normal"] = block
+    elif block is not None and block.name == "bokeh":
+        said.blur["bokeh"] = block.value
+    elif block is not None and block.name in ("location", "direction"):
+        old = said.rest.get("user_defined", UserDefinedCamera())
+        said.rest["user_defined"] = replace(old, **{block.name: block.value})
+    return block is not None
+
+
+def _blur_samples(reader: ItemReader) -> tuple[int, int]:
+    first = reader.integer()
+    if not reader.is_number():
+        return (4 if first < 7 else 7, first)
+    second = reader.integer()
+    return (min(first, second), max(first, second))
+
+
+def _built(frame: Frame, said: _Said, sink: Sink, context: Context) -> Camera:
+    steps = said.steps
+    if context.version >= TEXTUAL_ORDER:
+        steps = sorted(steps, key=lambda step: VECTORS.index(step[0]))
+    focal_point: Vec3 | None = None
+    for word, value in steps:
+        if word == "angle":
+            frame.set_angle(value)
+        elif word == "look_at":
+            try:
+                frame.set_look_at(value)
+            except ValueError as error:
+                raise SdlError(f"camera: {error}", sink.place, "move one of them") from error
+        elif word == "focal_point":
+            focal_point = value
+        else:
+            setattr(frame, word, value)
+            frame.sized = frame.sized or word in ("right", "up")
+    frame.finish(said.bare_angle)
+    for warning in frame.warnings:
+        context.messages.warn(warning, sink.place)
+    built = Camera(
+        frame.kind,
+        frame.location,
+        frame.direction,
+        frame.right,
+        frame.up,
+        focal_blur=_focal_blur(frame, said, focal_point),
+        **said.rest,
+    )
+    if frame.angle is not None:
+        built = replace(built, angle=frame.angle)
+    if said.vertical_angle is not None:
+        built = replace(built, vertical_angle=said.vertical_angle)
+    return moved(built, said.transform)
+
+
+def _focal_blur(frame: Frame, said: _Said, focal_point: Vec3 | None) -> FocalBlur | None:
+    blur = said.blur
+    if blur.get("aperture", 0.0) == 0.0 or "blur_samples" not in blur:
+        return None
+    to_focus = frame.direction if focal_point is None else difference(focal_point, frame.location)
+    return FocalBlur(**blur, focal_distance=length(to_focus))
+
+
+@construct("bokeh", signature="pigment {}", doc="The shape of blurred points: a pigment on the unit square.")
+def bokeh(reader: ItemReader, context: Context, sink: Sink) -> Block:
+    items = unread(reader, "pigment")
+    if items is None:
+        reader.fail("a pigment")
+    return Block("bokeh", read_pigment(items, context, default_pigment(context)))
+
+
+@construct(
+    "mesh_camera",
+    within=("camera",),
+    signature="rays per pixel, distribution [, max distance] mesh {} ... [smooth]",
+    doc="A camera whose rays start on the faces of meshes.",
+    accepts=("mesh", "smooth"),
+)
+def mesh_camera(reader: ItemReader, context: Context, sink: Sink) -> Block:
+    rays, distribution = reader.integer(), reader.integer()
+    if not 0 <= distribution <= 3:
+        reader.fail("a distribution from 0 to 3")
+    distance = reader.float() if reader.is_number() else None
+    meshes: list[Object] = []
+    reader.comma()
+    while (mesh := reader.node(Object)) is not None:
+        if not isinstance(mesh.shape, Mesh):
+            reader.fail("a mesh")
+        meshes.append(mesh)
+        reader.comma()
+    smooth = reader.word("smooth") is not None
+    if not reader.at_end or not meshes:
+        unexpected(reader, ("mesh", "smooth"))
+    return Block("mesh_camera", MeshCamera(max(rays, 1), distribution, tuple(meshes), distance, smooth))
+
+
+def _three_functions(name: str) -> Callable[[ItemReader, Context, Sink], Block]:
+    @construct(
+        name,
+        within=("camera",),
+        signature="function {} function {} function {}",
+        doc=f"The {name} of each ray of a user_defined camera (3.8).",
+        accepts=("function",),
+    )
+    def read(reader: ItemReader, context: Context, sink: Sink) -> Block:
+        functions: tuple[Function, Function, Function] = (
+            read_function(reader),
+            read_function(reader),
+            read_function(reader),
+        )
+        return Block(name, functions)
+
+    return read
+
+
+_three_functions("location")
+_three_functions("direction")

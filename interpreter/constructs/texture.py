@@ -1,0 +1,256 @@
+"""SDL: ``texture { pigment {...} normal {...} finish {...} }``, layers, ``texture_map``, ``tiles``."""
+
+from __future__ import annotations
+
+from copy import copy
+from dataclasses import replace
+from typing import Final
+
+from minipov.interpreter.constructs.common import unexpected, unread
+from minipov.interpreter.constructs.finish import FINISH_FIELDS, read_finish
+from minipov.interpreter.constructs.maps import read_entries
+from minipov.interpreter.constructs.normal import SMOOTH, default_normal, read_normal
+from minipov.interpreter.constructs.pattern_modifiers import (
+    PARAMETERS,
+    PATTERN_MODIFIERS,
+    read_pattern_modifier,
+    read_pattern_parameter,
+)
+from minipov.interpreter.constructs.patterns import (
+    PATTERN_WORDS,
+    block_count,
+    block_items,
+    object_pattern,
+    read_pattern,
+)
+from minipov.interpreter.constructs.pigment import read_pigment
+from minipov.interpreter.constructs.transforms import TRANSFORM_WORDS, read_transform
+from minipov.interpreter.context import Context
+from minipov.interpreter.items import Sink
+from minipov.interpreter.reader import ItemReader
+from minipov.interpreter.registry import construct
+from minipov.tracer.finish import Finish
+from minipov.tracer.normal import Normal
+from minipov.tracer.pattern import PLAIN, Pattern, SimplePattern
+from minipov.tracer.pigment import Pigment
+from minipov.tracer.texture import (
+    LayeredTexture,
+    MaterialMap,
+    PatternTexture,
+    PlainTexture,
+    Texture,
+    TextureList,
+    TextureMap,
+)
+
+TEXTURE_TYPES: Final = (PlainTexture, LayeredTexture, PatternTexture, MaterialMap)
+PLAIN_ACCEPTS: Final = ("pigment", "normal", "finish", *TRANSFORM_WORDS, "no_bump_scale", "uv_mapping")
+PATTERN_ACCEPTS: Final = (*PATTERN_MODIFIERS, *PARAMETERS, "texture_map", "texture", "no_bump_scale")
+ACCEPTS: Final = (*PLAIN_ACCEPTS, *PATTERN_WORDS, *PATTERN_ACCEPTS, "tiles", "material_map")
+
+
+def layered(below: Texture | None, above: Texture, reader: ItemReader) -> Texture:
+    """``above`` laid over ``below``. ``reader`` says where, should it be impossible."""
+    if below is None:
+        return above
+    if not isinstance(below, PlainTexture | LayeredTexture):
+        reader.fail("no layer over a patterned texture", "only plain textures can be layers")
+    if not isinstance(above, PlainTexture | LayeredTexture):
+        reader.fail("no patterned texture as a layer over another", "only plain textures can be layers")
+    return LayeredTexture((*layers(below), *layers(above)))
+
+
+def layers(texture: PlainTexture | LayeredTexture) -> tuple[PlainTexture, ...]:
+    """The plain textures that it consists of, the lowest first."""
+    return texture.layers if isinstance(texture, LayeredTexture) else (texture,)
+
+
+def default_texture(context: Context) -> PlainTexture | LayeredTexture:
+    """The default texture of the moment."""
+    default = context.default_texture
+    return default if isinstance(default, PlainTexture | LayeredTexture) else PlainTexture()
+
+
+def modified_texture(reader: ItemReader, context: Context, texture: Texture | None) -> Texture | None:
+    """``texture`` (or the default) changed by a ``pigment``, ``normal`` or ``finish`` block, or None if there is none.
+
+    Of a layered texture the top layer changes.
+    """
+    place = copy(reader)
+    for name in ("pigment", "normal", "finish"):
+        items = unread(reader, name)
+        if items is not None:
+            break
+    else:
+        return None
+    base = texture or default_texture(context)
+    if not isinstance(base, PlainTexture | LayeredTexture):
+        place.fail("no pigment, normal or finish on a patterned texture", "only plain textures can be layers")
+    *lower, top = layers(base)
+    if name == "pigment":
+        top = replace(top, pigment=read_pigment(items, context, top.pigment))
+    elif name == "normal":
+        top = replace(top, normal=read_normal(items, context, top.normal or SMOOTH))
+    else:
+        top = replace(top, finish=read_finish(items, context, top.finish))
+    return LayeredTexture((*lower, top)) if lower else top
+
+
+def read_texture(reader: ItemReader, context: Context) -> Texture:
+    """A texture block."""
+    texture = read_texture_body(reader, context)
+    if not reader.at_end:
+        unexpected(reader, PATTERN_ACCEPTS if isinstance(texture, PatternTexture) else ACCEPTS)
+    return texture
+
+
+def read_texture_body(reader: ItemReader, context: Context) -> Texture:
+    """As `read_texture`, up to the first item that belongs to no texture."""
+    uv_mapping = reader.word("uv_mapping") is not None
+    named = reader.node(TEXTURE_TYPES)
+    texture: Texture
+    if named is not None:
+        texture = named
+    else:
+        by_object = object_pattern(reader, context)
+        pattern = by_object[0] if by_object else read_pattern(reader, context)
+        if pattern is not None:
+            return _pattern_texture(reader, by_object[1] if by_object else reader, context, pattern, uv_mapping)
+        texture = default_texture(context)
+    no_bump_scale = False
+    while not reader.at_end:
+        if reader.word("no_bump_scale"):
+            no_bump_scale = reader.boolean()
+        elif reader.word("uv_mapping"):
+            uv_mapping = True
+        else:
+            changed = _modified(reader, context, texture)
+            if changed is None:
+                break
+            texture = changed
+    if uv_mapping or no_bump_scale:
+        texture = _flagged(texture, uv_mapping, no_bump_scale)
+    return texture
+
+
+def _modified(reader: ItemReader, context: Context, texture: Texture) -> Texture | None:
+    transform = read_transform(reader, context)
+    if transform is not None:
+        return texture.transformed(transform)
+    changed = modified_texture(reader, context, texture)
+    if changed is not None:
+        return changed
+    part = reader.node((Pigment, Normal, Finish))
+    if part is None or not isinstance(texture, PlainTexture | LayeredTexture):
+        return None
+    *lower, top = layers(texture)
+    if isinstance(part, Pigment):
+        top = replace(top, pigment=part)
+    elif isinstance(part, Normal):
+        top = replace(top, normal=part)
+    else:
+        top = replace(top, finish=part)
+    return LayeredTexture((*lower, top)) if lower else top
+
+
+def _flagged(texture: Texture, uv_mapping: bool, no_bump_scale: bool) -> Texture:
+    """``uv_mapping`` and ``no_bump_scale`` of a texture hold for what is in it."""
+    if isinstance(texture, LayeredTexture):
+        return LayeredTexture(tuple(_flagged_plain(layer, uv_mapping, no_bump_scale) for layer in texture.layers))
+    if isinstance(texture, PlainTexture):
+        return _flagged_plain(texture, uv_mapping, no_bump_scale)
+    return replace(texture, modifiers=replace(texture.modifiers, uv_mapping=uv_mapping))
+
+
+def _flagged_plain(texture: PlainTexture, uv_mapping: bool, no_bump_scale: bool) -> PlainTexture:
+    pigment, normal = texture.pigment, texture.normal
+    if uv_mapping:
+        pigment = replace(pigment, modifiers=replace(pigment.modifiers, uv_mapping=True))
+        normal = normal and replace(normal, modifiers=replace(normal.modifiers, uv_mapping=True))
+    if no_bump_scale:
+        normal = normal and replace(normal, no_bump_scale=True)
+    return PlainTexture(pigment, normal, texture.finish)
+
+
+def _pattern_texture(
+    reader: ItemReader, items: ItemReader, context: Context, pattern: Pattern, uv_mapping: bool
+) -> PatternTexture:
+    """A pattern of whole textures; ``items`` reads the list of a block pattern."""
+    count = block_count(pattern)
+    given = block_items(items, count, lambda: items.node(TEXTURE_TYPES))
+    blend: TextureMap | TextureList | None = None
+    if given:
+        blend = TextureList((*given, *[default_texture(context)] * (count - len(given))))
+    modifiers = replace(PLAIN, uv_mapping=uv_mapping)
+    while not reader.at_end:
+        changed = read_pattern_modifier(reader, context, modifiers)
+        if changed is not None:
+            modifiers = changed
+            continue
+        texture_map = reader.node(TextureMap)
+        if texture_map is not None:
+            blend = texture_map
+            continue
+        if reader.word("no_bump_scale"):
+            reader.boolean()
+            continue
+        parameter = read_pattern_parameter(reader, pattern)
+        if parameter is None:
+            break
+        pattern = parameter
+    if blend is None:
+        reader.fail("a texture_map or a list of textures for the pattern")
+    return PatternTexture(pattern, blend, modifiers)
+
+
+@construct(
+    "texture",
+    signature="[identifier] pigment, normal, finish, transformations | pattern texture_map",
+    doc="The looks of a surface: pigment, normal and finish; several in a row are layers, the first lowest.",
+    accepts=ACCEPTS,
+)
+def texture(reader: ItemReader, context: Context, sink: Sink) -> Texture:
+    return read_texture(reader, context)
+
+
+@construct(
+    "texture_map",
+    signature="[F texture items] [F texture items] ...",
+    doc="Whole textures for the values 0 to 1 of a pattern; weights under `average`.",
+    accepts=ACCEPTS,
+)
+def texture_map(reader: ItemReader, context: Context, sink: Sink) -> TextureMap:
+    named = reader.node(TextureMap)
+    if named is not None:
+        return named
+    return TextureMap(read_entries(reader, lambda inner: _entry_texture(inner, context)))
+
+
+def _entry_texture(reader: ItemReader, context: Context) -> Texture:
+    """An entry's texture: items without ``texture {}``, or whole texture blocks (several are layers)."""
+    result = read_texture_body(reader, context)
+    while (layer := reader.node(TEXTURE_TYPES)) is not None:
+        result = layered(result, layer, reader)
+    return result
+
+
+@construct(
+    "tiles",
+    within=("texture",),
+    signature="texture {} tile2 texture {}",
+    doc="An old checker of two textures.",
+    accepts=("texture", "tile2"),
+)
+def tiles(reader: ItemReader, context: Context, sink: Sink) -> PatternTexture:
+    halves: list[Texture | None] = [None, None]
+    at = 0
+    while not reader.at_end:
+        layer = reader.node(TEXTURE_TYPES)
+        if layer is not None:
+            halves[at] = layered(halves[at], layer, reader)
+        elif at == 0 and reader.word("tile2"):
+            at = 1
+        else:
+            unexpected(reader, ("texture", "tile2"))
+    first, second = (half or default_texture(context) for half in halves)
+    return PatternTexture(SimplePattern("checker"), TextureList((first, second)))
