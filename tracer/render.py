@@ -92,9 +92,7 @@ class RenderJob:
         return RenderResult(self._job.snapshot(), statistics, self._job.unsupported(), self.poll() == 1.0)
 
 
-def render(
-    scene: Scene, settings: RenderSettings, progress: Callable[[float], object] | None = None
-) -> RenderResult:
+def render(scene: Scene, settings: RenderSettings, progress: Callable[[float], object] | None = None) -> RenderResult:
     """Render a scene, calling ``progress`` with the finished share now and then; an exception from it cancels.
 
     Raises:

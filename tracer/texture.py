@@ -22,9 +22,12 @@ class PlainTexture:
     finish: Finish = Finish()
 
     def transformed(self, transform: Transform) -> PlainTexture:
-        """The same texture, moved."""
+        """The same texture, moved; itself where there is nothing to move, so that shared textures stay shared."""
+        pigment = self.pigment.transformed(transform)
         normal = self.normal and self.normal.transformed(transform)
-        return PlainTexture(self.pigment.transformed(transform), normal, self.finish)
+        if pigment is self.pigment and normal is self.normal:
+            return self
+        return PlainTexture(pigment, normal, self.finish)
 
 
 @dataclass(frozen=True, slots=True)

@@ -60,8 +60,8 @@ class Transform:
             ZeroDivisionError: the map flattens space, so nothing undoes it.
         """
         a, b, c, d, e, f, g, h, i, *shift = self.matrix
-        minors = (e * i - f * h, c * h - b * i, b * f - c * e, f * g - d * i, a * i - c * g, c * d - a * f)
-        minors += (d * h - e * g, b * g - a * h, a * e - b * d)
+        minors = [e * i - f * h, c * h - b * i, b * f - c * e, f * g - d * i, a * i - c * g, c * d - a * f]
+        minors += [d * h - e * g, b * g - a * h, a * e - b * d]
         det = a * minors[0] + b * minors[3] + c * minors[6]
         linear = Transform((*(m / det for m in minors), 0, 0, 0))  # type: ignore[arg-type]
         x, y, z = linear.direction((shift[0], shift[1], shift[2]))

@@ -165,10 +165,12 @@ def _read_other(reader: ItemReader, context: Context, said: _Said) -> bool:
     if items is not None:
         said.rest["normal"] = read_normal(items, context, SMOOTH)
         return True
-    block = reader.node((Block, Normal))
-    if isinstance(block, Normal):
-        said.rest["normal"] = block
-    elif block is not None and block.name == "bokeh":
+    normal = reader.node(Normal)
+    if normal is not None:
+        said.rest["normal"] = normal
+        return True
+    block = reader.node(Block)
+    if block is not None and block.name == "bokeh":
         said.blur["bokeh"] = block.value
     elif block is not None and block.name in ("location", "direction"):
         old = said.rest.get("user_defined", UserDefinedCamera())

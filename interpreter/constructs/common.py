@@ -138,7 +138,7 @@ def long_vector(reader: ItemReader, size: int, what: str) -> tuple[float, ...]:
 
 
 def bulk(reader: ItemReader, rows: int, columns: int, what: str) -> NDArray[np.float64]:
-    """``rows`` vectors of ``columns`` numbers, each with an optional comma before it; runs of literals come as arrays."""
+    """``rows`` vectors of ``columns`` numbers, with optional commas; runs of literals come as arrays."""
     parts: list[NDArray[np.float64]] = []
     singles: list[tuple[float, ...]] = []
     have = 0

@@ -1,4 +1,4 @@
-"""SDL: ``union``, ``intersection``, ``difference``, ``merge``, ``object``, ``light_group``, ``clipped_by``, ``bounded_by``."""
+"""SDL: ``union``, ``intersection``, ``difference``, ``merge``, ``object``, ``light_group``; clipping and bounding."""
 
 from __future__ import annotations
 
@@ -41,13 +41,12 @@ def read_members(reader: ItemReader) -> Members:
     """The objects and lights at the start of a group."""
     members = Members([], [])
     while True:
-        thing = reader.node((Object, LightSource))
-        if thing is None:
-            return members
-        if isinstance(thing, Object):
+        if (thing := reader.node(Object)) is not None:
             members.objects.append(thing)
+        elif (light := reader.node(LightSource)) is not None:
+            members.lights.append(light)
         else:
-            members.lights.append(thing)
+            return members
 
 
 def has_inside(thing: Object) -> bool:
@@ -127,16 +126,13 @@ def difference(reader: ItemReader, context: Context, sink: Sink) -> Object:
     accepts=MODIFIERS,
 )
 def object_(reader: ItemReader, context: Context, sink: Sink) -> Object | LightSource:
-    thing = reader.node((Object, LightSource))
+    light = reader.node(LightSource)
+    if light is not None:
+        return light.transformed(read_transforms(reader, context))
+    thing = reader.node(Object)
     if thing is None:
         reader.fail("an object")
-    if isinstance(thing, LightSource):
-        return _moved_light(reader, context, thing)
     return read_modifiers(reader, context, thing)
-
-
-def _moved_light(reader: ItemReader, context: Context, light: LightSource) -> LightSource:
-    return light.transformed(read_transforms(reader, context))
 
 
 @construct(

@@ -1,4 +1,4 @@
-"""SDL: ``#default { texture {...} | pigment {...} | normal {...} | finish {...} | radiosity {...} | camera {...} }``."""
+"""SDL: ``#default { texture {...} }``, or ``pigment``, ``normal``, ``finish``, ``radiosity``, ``camera``."""
 
 from __future__ import annotations
 

@@ -30,6 +30,7 @@ from minipov.tracer.interior import Density, DensityList, DensityMap
 from minipov.tracer.pattern import Pattern
 from minipov.tracer.pigment import ColorMap
 
+MAPS: Final[tuple[type[ColorMap | DensityMap], ...]] = (ColorMap, DensityMap)
 ACCEPTS: Final = (
     *PATTERN_WORDS,
     *PATTERN_MODIFIERS,
@@ -46,7 +47,7 @@ def read_density_body(reader: ItemReader, context: Context) -> Density:
         if modifiers is not None:
             density = replace(density, modifiers=modifiers)
             continue
-        blend = reader.node((ColorMap, DensityMap))
+        blend = reader.node(MAPS)
         if blend is not None:
             density = replace(density, blend=blend)
             continue

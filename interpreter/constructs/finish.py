@@ -27,12 +27,14 @@ from minipov.tracer.objects import Object
 from minipov.tracer.texture import LayeredTexture, PlainTexture, Texture
 from minipov.tracer.values import BLACK
 
+NO_INTERIOR: Final = Interior()
+
 
 @dataclass(frozen=True, slots=True)
 class OldFinish(Finish):
     """A finish that also says what belongs in the interior, as scenes did before version 3.1."""
 
-    interior: Interior = Interior()
+    interior: Interior = NO_INTERIOR
 
 
 def _diffuse(reader: ItemReader) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""SDL: ``image_map { png "a.png" map_type 1 interpolate 2 once }``; ``bump_map``, ``image_pattern``, ``material_map``."""
+"""SDL: ``image_map { png "a.png" interpolate 2 once }``; ``bump_map``, ``image_pattern``, ``material_map``."""
 
 from __future__ import annotations
 

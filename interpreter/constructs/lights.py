@@ -53,7 +53,8 @@ ACCEPTS: Final = (
     *AREA_FIELDS,
     *TRANSFORM_WORDS,
 )
-CYLINDER_DEFAULTS: Final = {"radius": 0.75, "falloff": 1.0}
+SPOTLIGHT_CONES: Final = (30.0, 45.0)
+CYLINDER_RADII: Final = (0.75, 1.0)
 
 
 @construct(
@@ -91,9 +92,9 @@ def _modified(reader: ItemReader, context: Context, light: LightSource) -> Light
             return replace(light, **fields)
     kind = reader.word("spotlight", "cylinder")
     if kind == "spotlight":
-        return replace(light, kind="spotlight", radius=30.0, falloff=45.0)
+        return replace(light, kind="spotlight", radius=SPOTLIGHT_CONES[0], falloff=SPOTLIGHT_CONES[1])
     if kind == "cylinder":
-        return replace(light, kind="cylinder", **CYLINDER_DEFAULTS)
+        return replace(light, kind="cylinder", radius=CYLINDER_RADII[0], falloff=CYLINDER_RADII[1])
     if reader.word("area_light"):
         return replace(light, area=_area_light(reader, light.area))
     if light.area is not None:

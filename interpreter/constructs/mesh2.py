@@ -59,9 +59,7 @@ def mesh2(reader: ItemReader, context: Context) -> Shape:
         if not textures:
             raise SdlError("mesh2: texture numbers in face_indices, but no texture_list", place)
         _check(numbers, len(textures), "texture numbers", reader, least=-1)
-    return Mesh(
-        vertices, faces, normals, normal_faces, uvs, uv_faces, textures, numbers, inside_vector(reader)
-    )
+    return Mesh(vertices, faces, normals, normal_faces, uvs, uv_faces, textures, numbers, inside_vector(reader))
 
 
 def _indexed(

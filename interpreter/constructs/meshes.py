@@ -97,9 +97,7 @@ def _mesh_of(facets: list[Facet]) -> Mesh:
     )
 
 
-def _corner_table(
-    rows: list[Any], size: int
-) -> tuple[NDArray[np.float64] | None, NDArray[np.int32] | None]:
+def _corner_table(rows: list[Any], size: int) -> tuple[NDArray[np.float64] | None, NDArray[np.int32] | None]:
     """Vectors at the corners of those faces that have them, and the faces' indices (-1 for the others)."""
     given = [row for row in rows if row is not None]
     if not given:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import fields, replace
-from functools import cache
-from typing import Any, Final
+from typing import Any, Final, get_args
 
 from minipov.interpreter.constructs.common import boolean, switch, unexpected
 from minipov.interpreter.constructs.finish import with_old_interior
@@ -50,12 +49,18 @@ SHAPE_SWITCHES: Final[dict[str, Callable[[ItemReader], Any]]] = {
 }
 
 
-@cache
-def shape_switches(shape: type[Shape]) -> tuple[str, ...]:
-    """The modifiers that only some shapes accept: those that are fields of this one."""
+def _switches_of(shape: type[Any]) -> tuple[str, ...]:
     own = {field.name for field in fields(shape)}
     always_on = {"hierarchy"} if shape in (HeightField, Mesh) else set()
     return tuple(word for word in SHAPE_SWITCHES if word in own | always_on)
+
+
+_SWITCHES: Final[dict[type[Any], tuple[str, ...]]] = {shape: _switches_of(shape) for shape in get_args(Shape)}
+
+
+def shape_switches(shape: Shape) -> tuple[str, ...]:
+    """The modifiers that only some shapes accept: those that are fields of this one."""
+    return _SWITCHES[type(shape)]
 
 
 def read_modifiers(reader: ItemReader, context: Context, thing: Object) -> Object:
@@ -63,7 +68,7 @@ def read_modifiers(reader: ItemReader, context: Context, thing: Object) -> Objec
     while not reader.at_end:
         changed = _modified(reader, context, thing)
         if changed is None:
-            unexpected(reader, (*MODIFIERS, *shape_switches(type(thing.shape))))
+            unexpected(reader, (*MODIFIERS, *shape_switches(thing.shape)))
         thing = changed
     return with_old_interior(thing)
 
@@ -79,7 +84,7 @@ def _modified(reader: ItemReader, context: Context, thing: Object) -> Object | N
     modifiers = _flagged(reader, context, thing)
     if modifiers is not None:
         return replace(thing, modifiers=modifiers)
-    word = reader.word(*shape_switches(type(thing.shape)))
+    word = reader.word(*shape_switches(thing.shape))
     if word is not None:
         value = SHAPE_SWITCHES[word](reader)
         return replace(thing, shape=replace(thing.shape, **{word: value})) if hasattr(thing.shape, word) else thing

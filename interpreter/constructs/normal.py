@@ -29,6 +29,7 @@ from minipov.tracer.normal import Normal, NormalList, NormalMap, SlopeMap
 from minipov.tracer.pattern import Pattern
 from minipov.tracer.texture import LayeredTexture, PlainTexture
 
+MAPS: Final[tuple[type[SlopeMap | NormalMap], ...]] = (SlopeMap, NormalMap)
 ACCEPTS: Final = (
     *PATTERN_WORDS,
     *PATTERN_MODIFIERS,
@@ -88,7 +89,7 @@ def _modified(reader: ItemReader, context: Context, normal: Normal) -> Normal | 
     modifiers = read_pattern_modifier(reader, context, normal.modifiers)
     if modifiers is not None:
         return replace(normal, modifiers=modifiers)
-    blend = reader.node((SlopeMap, NormalMap))
+    blend = reader.node(MAPS)
     if blend is not None:
         return replace(normal, blend=blend)
     if reader.word("bump_size"):

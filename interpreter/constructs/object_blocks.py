@@ -1,4 +1,4 @@
-"""SDL: the blocks among an object's modifiers that are not looks: ``photons { target }``, ``radiosity { importance 1 }``."""
+"""SDL: modifiers of objects that are not looks: ``photons { target }``, ``radiosity { importance 1 }``."""
 
 from __future__ import annotations
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import Any, Final
 
 from minipov.interpreter.constructs.common import Field, bulk, integer, number, read_fields
@@ -21,7 +22,7 @@ def is_degenerate(a: Vec3, b: Vec3, c: Vec3) -> bool:
     u = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
     v = (c[0] - a[0], c[1] - a[1], c[2] - a[2])
     x, y, z = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
-    return (x * x + y * y + z * z) ** 0.5 < SMALLEST_AREA
+    return sqrt(x * x + y * y + z * z) < SMALLEST_AREA
 
 
 @shape("triangle", signature="corner, corner, corner", doc="A flat triangle.")

@@ -21,10 +21,11 @@ from minipov.tracer.pattern import (
     PatternModifiers,
     Pavement,
     Quilted,
+    Wave,
 )
 from minipov.tracer.warp import Turbulence
 
-WAVES: Final = ("ramp_wave", "triangle_wave", "sine_wave", "scallop_wave", "cubic_wave", "poly_wave")
+WAVES: Final[tuple[Wave, ...]] = ("ramp_wave", "triangle_wave", "sine_wave", "scallop_wave", "cubic_wave", "poly_wave")
 
 
 def _noise_generator(reader: ItemReader) -> dict[str, Any]:
@@ -44,9 +45,7 @@ _FIELDS: Final[dict[str, Callable[[ItemReader], dict[str, Any]]]] = {
 PATTERN_MODIFIERS: Final = (*_FIELDS, *WAVES, *TURBULENCE_FIELDS, *TRANSFORM_WORDS, "warp")
 
 
-def read_pattern_modifier(
-    reader: ItemReader, context: Context, modifiers: PatternModifiers
-) -> PatternModifiers | None:
+def read_pattern_modifier(reader: ItemReader, context: Context, modifiers: PatternModifiers) -> PatternModifiers | None:
     """``modifiers`` with the next one added, or None where the next item is none."""
     transform = read_transform(reader, context)
     if transform is not None:
@@ -56,8 +55,9 @@ def read_pattern_modifier(
         return replace(modifiers, **_FIELDS[word](reader))
     word = reader.word(*WAVES)
     if word is not None:
-        exponent = reader.float() if word == "poly_wave" and reader.is_number() else 1.0
-        return replace(modifiers, wave=word, poly_exponent=exponent)
+        wave = WAVES[WAVES.index(word)]  # one of them, as asked for
+        exponent = reader.float() if wave == "poly_wave" and reader.is_number() else 1.0
+        return replace(modifiers, wave=wave, poly_exponent=exponent)
     word = reader.word(*TURBULENCE_FIELDS)
     if word is not None:
         turbulence = modifiers.turbulence or Turbulence((0.0, 0.0, 0.0))

@@ -55,14 +55,19 @@ SIMPLE_PATTERNS: Final = (
     *("triangular", "waves", "wood", "wrinkles"),
 )
 BLOCK_COUNTS: Final = {"checker": 2, "brick": 2, "hexagon": 3, "square": 4, "triangular": 6, "cubic": 6, "object": 2}
-FUNCTION_TYPES: Final = (
+FUNCTION_TYPES: Final[tuple[type[functions.Function], ...]] = (
     functions.ExpressionFunction,
     functions.InternalFunction,
     functions.PatternFunction,
     functions.PigmentFunction,
     functions.SplineFunction,
 )
-PATTERN_BLOCKS: Final = (ImageMap, ImagePattern, PigmentPattern, Potential, Slope)
+PATTERN_BLOCKS: Final[tuple[type[Pattern], ...]] = (ImageMap, ImagePattern, PigmentPattern, Potential, Slope)
+
+
+def _simple(name: str) -> Callable[[ItemReader, Context], Pattern]:
+    pattern = SimplePattern(name)
+    return lambda reader, context: pattern
 
 
 def _julia(reader: ItemReader, context: Context) -> Pattern:
@@ -140,7 +145,7 @@ def read_df3(data: bytes) -> NDArray[np.float32]:
 
 
 PATTERNS: Final[dict[str, Callable[[ItemReader, Context], Pattern]]] = {
-    **{name: (lambda reader, context, name=name: SimplePattern(name)) for name in SIMPLE_PATTERNS},
+    **{name: _simple(name) for name in SIMPLE_PATTERNS},
     "agate": lambda reader, context: Agate(),
     "brick": lambda reader, context: Brick(),
     "crackle": lambda reader, context: Crackle(),

@@ -32,6 +32,7 @@ from minipov.tracer.pattern import ImageMap, Pattern, PigmentPattern
 from minipov.tracer.pigment import ColorMap, Pigment, PigmentList, PigmentMap, UserDefinedPigment
 from minipov.tracer.texture import LayeredTexture, PlainTexture
 
+MAPS: Final[tuple[type[ColorMap | PigmentMap], ...]] = (ColorMap, PigmentMap)
 ACCEPTS: Final = (
     *PATTERN_WORDS,
     *PATTERN_MODIFIERS,
@@ -104,7 +105,7 @@ def _modified(reader: ItemReader, context: Context, pigment: Pigment) -> Pigment
     modifiers = read_pattern_modifier(reader, context, pigment.modifiers)
     if modifiers is not None:
         return replace(pigment, modifiers=modifiers)
-    blend = reader.node((ColorMap, PigmentMap))
+    blend = reader.node(MAPS)
     if blend is not None:
         return replace(pigment, blend=blend)
     if reader.word("quick_color", "quick_colour"):

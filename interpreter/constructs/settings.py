@@ -12,7 +12,7 @@ from minipov.interpreter.errors import Place
 from minipov.interpreter.items import Block, Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
-from minipov.tracer.settings import GlobalSettings, Photons, Radiosity, SubsurfaceSettings
+from minipov.tracer.settings import Photons, Radiosity, SubsurfaceSettings
 
 LARGEST_TRACE_LEVEL: Final = 256
 
@@ -40,7 +40,7 @@ WITHOUT_EFFECT: Final[dict[str, Field]] = {
     "charset": lambda reader: {"charset": reader.word("ascii", "utf8", "sys")},
 }
 OBSOLETE: Final = ("hf_gray_16", "max_intersections")
-BLOCKS: Final = {"radiosity": Radiosity, "photons": Photons, "subsurface": SubsurfaceSettings}
+BLOCKS: Final[dict[str, type]] = {"radiosity": Radiosity, "photons": Photons, "subsurface": SubsurfaceSettings}
 ACCEPTS: Final = (*SETTINGS_FIELDS, *WITHOUT_EFFECT, *BLOCKS)
 
 
@@ -64,11 +64,10 @@ def global_settings(reader: ItemReader, context: Context, sink: Sink) -> Block:
             if word in OBSOLETE:
                 context.messages.warn_once(word, f"'{word}' has had no effect since version 3.7", place)
             continue
-        value = reader.node((Radiosity, Photons, SubsurfaceSettings))
-        if value is None:
+        said: dict[str, Any] = {word: value for word, kind in BLOCKS.items() if (value := reader.node(kind))}
+        if not said:
             unexpected(reader, ACCEPTS)
-        name = next(word for word, kind in BLOCKS.items() if isinstance(value, kind))
-        scene.settings = replace(scene.settings, **{name: value})
+        scene.settings = replace(scene.settings, **said)
     return Block("global_settings", None)
 
 

@@ -60,7 +60,9 @@ def cone(reader: ItemReader, context: Context) -> Shape:
     return Cone(base, base_radius, cap, cap_radius)
 
 
-@shape("plane", signature="normal, distance", doc="All space on one side of a plane; the inside lies against the normal.")
+@shape(
+    "plane", signature="normal, distance", doc="All space on one side of a plane; the inside lies against the normal."
+)
 def plane(reader: ItemReader, context: Context) -> Shape:
     place = reader.place
     normal, distance = reader.vector(), reader.float()

@@ -7,9 +7,9 @@ from dataclasses import replace
 from typing import Final
 
 from minipov.interpreter.constructs.common import unexpected, unread
-from minipov.interpreter.constructs.finish import FINISH_FIELDS, read_finish
+from minipov.interpreter.constructs.finish import read_finish
 from minipov.interpreter.constructs.maps import read_entries
-from minipov.interpreter.constructs.normal import SMOOTH, default_normal, read_normal
+from minipov.interpreter.constructs.normal import SMOOTH, read_normal
 from minipov.interpreter.constructs.pattern_modifiers import (
     PARAMETERS,
     PATTERN_MODIFIERS,
@@ -43,7 +43,7 @@ from minipov.tracer.texture import (
     TextureMap,
 )
 
-TEXTURE_TYPES: Final = (PlainTexture, LayeredTexture, PatternTexture, MaterialMap)
+TEXTURE_TYPES: Final[tuple[type[Texture], ...]] = (PlainTexture, LayeredTexture, PatternTexture, MaterialMap)
 PLAIN_ACCEPTS: Final = ("pigment", "normal", "finish", *TRANSFORM_WORDS, "no_bump_scale", "uv_mapping")
 PATTERN_ACCEPTS: Final = (*PATTERN_MODIFIERS, *PARAMETERS, "texture_map", "texture", "no_bump_scale")
 ACCEPTS: Final = (*PLAIN_ACCEPTS, *PATTERN_WORDS, *PATTERN_ACCEPTS, "tiles", "material_map")
@@ -140,16 +140,17 @@ def _modified(reader: ItemReader, context: Context, texture: Texture) -> Texture
     changed = modified_texture(reader, context, texture)
     if changed is not None:
         return changed
-    part = reader.node((Pigment, Normal, Finish))
-    if part is None or not isinstance(texture, PlainTexture | LayeredTexture):
+    if not isinstance(texture, PlainTexture | LayeredTexture):
         return None
     *lower, top = layers(texture)
-    if isinstance(part, Pigment):
-        top = replace(top, pigment=part)
-    elif isinstance(part, Normal):
-        top = replace(top, normal=part)
+    if (pigment := reader.node(Pigment)) is not None:
+        top = replace(top, pigment=pigment)
+    elif (normal := reader.node(Normal)) is not None:
+        top = replace(top, normal=normal)
+    elif (finish := reader.node(Finish)) is not None:
+        top = replace(top, finish=finish)
     else:
-        top = replace(top, finish=part)
+        return None
     return LayeredTexture((*lower, top)) if lower else top
 
 
@@ -177,7 +178,7 @@ def _pattern_texture(
 ) -> PatternTexture:
     """A pattern of whole textures; ``items`` reads the list of a block pattern."""
     count = block_count(pattern)
-    given = block_items(items, count, lambda: items.node(TEXTURE_TYPES))
+    given: list[Texture] = block_items(items, count, lambda: items.node(TEXTURE_TYPES))
     blend: TextureMap | TextureList | None = None
     if given:
         blend = TextureList((*given, *[default_texture(context)] * (count - len(given))))

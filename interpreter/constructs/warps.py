@@ -30,7 +30,7 @@ from minipov.tracer.warp import (
     Warp,
 )
 
-WARP_TYPES: Final = (
+WARP_TYPES: Final[tuple[type[Warp], ...]] = (
     Turbulence,
     RepeatWarp,
     BlackHoleWarp,
@@ -83,7 +83,9 @@ def _planar(reader: ItemReader) -> PlanarWarp:
 
 def _turbulence(reader: ItemReader) -> Turbulence:
     said: dict[str, Any] = {"amount": reader.vector()}
-    return Turbulence(**said, **read_all_fields(reader, {k: v for k, v in TURBULENCE_FIELDS.items() if k != "turbulence"}))
+    return Turbulence(
+        **said, **read_all_fields(reader, {k: v for k, v in TURBULENCE_FIELDS.items() if k != "turbulence"})
+    )
 
 
 WARPS: Final[dict[str, Callable[[ItemReader], Warp]]] = {
@@ -102,7 +104,7 @@ WARPS: Final[dict[str, Callable[[ItemReader], Warp]]] = {
 
 @construct(
     "warp",
-    signature="repeat V ... | black_hole V, F ... | turbulence V ... | cylindrical | spherical | toroidal | planar | cubic",
+    signature="repeat V ... | black_hole V, F ... | turbulence V ... | cylindrical ... | planar [V, F] | cubic",
     doc="Bends the space in which a pattern lives. Warps and transformations act in the order in which they stand.",
     accepts=(*WARPS, *MAPPING_FIELDS, *BLACK_HOLE_FIELDS, *TURBULENCE_FIELDS, "flip", "offset", "major_radius"),
 )
