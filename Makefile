@@ -1,0 +1,65 @@
+# Two commands: `make demo` renders a first picture, `make test` runs all tests. They prepare everything they need.
+.DEFAULT_GOAL := help
+.PHONY: help build demo test check parity bench clean rust povray
+SHELL := /bin/bash
+
+PYTHON ?= $(firstword $(foreach p,python3.13 python3.12 python3.11 python3,$(shell command -v $(p) 2>/dev/null)))
+VENV := .venv
+BIN := $(VENV)/bin
+CARGO := $(shell command -v cargo 2>/dev/null || echo $(HOME)/.cargo/bin/cargo)
+export PATH := $(dir $(CARGO)):$(PATH)
+RUST_SOURCES := $(shell find tracer/src -name '*.rs') tracer/Cargo.toml tracer/Cargo.lock
+SCENES ?= *
+THREADS ?= 2
+
+help: ## list the targets
+	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 10
+
+# The package with its dependencies; rebuilt when a Rust source or pyproject.toml changes.
+build: $(VENV)/installed ## build the package into .venv
+$(VENV)/installed: pyproject.toml $(RUST_SOURCES) | $(BIN)/python rust
+	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[test,check]'
+	@touch $@
+
+$(BIN)/python:
+	@test -n "$(PYTHON)" && "$(PYTHON)" -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+	  { echo "minipov needs Python 3.11 or newer (make PYTHON=/path/to/python3.11)"; exit 1; }
+	@"$(PYTHON)" -m venv $(VENV) || { echo "python3-venv is missing: apt-get install python3-venv"; exit 1; }
+
+rust:
+	@command -v "$(CARGO)" >/dev/null || \
+	  { echo "minipov's tracer is compiled by Rust, which is missing: see https://rustup.rs, then run make again"; exit 1; }
+
+demo: build ## render scenes/gallery/demo.pov and say where the picture is
+	@mkdir -p out
+	@$(BIN)/minipov scenes/gallery/demo.pov -o out/demo.png -W 640 -H 480 --antialias-threshold=0.1
+	@echo "The picture is out/demo.png"
+
+povray:
+	@tools/install-povray
+
+test: build povray ## run cargo test and pytest (installs POV-Ray to compare with)
+	$(CARGO) test --quiet --manifest-path tracer/Cargo.toml
+	$(BIN)/python -m pytest -q -n 2
+
+# mypy sees the five rooms as one package through links, as an installation does.
+MYPY_TREE := build/mypy
+$(MYPY_TREE)/minipov: $(shell find minipov grammar interpreter tracer -name __init__.py -not -path '*/target/*')
+	@tools/link-package $(MYPY_TREE)
+
+check: build $(MYPY_TREE)/minipov ## ruff, mypy --strict, clippy, rustfmt
+	$(BIN)/python -m ruff check .
+	$(BIN)/python -m ruff format --check .
+	MYPYPATH=$(MYPY_TREE) $(BIN)/python -m mypy --strict -p minipov
+	$(CARGO) clippy --quiet --manifest-path tracer/Cargo.toml --all-targets -- -D warnings
+	$(CARGO) clippy --quiet --manifest-path tracer/Cargo.toml --features python --lib -- -D warnings
+	$(CARGO) fmt --manifest-path tracer/Cargo.toml -- --check
+
+parity: build povray ## compare with POV-Ray on its own samples (SCENES=glob)
+	$(BIN)/python -m minipov.compare.parity '$(SCENES)'
+
+bench: build povray ## trace times against POV-Ray (THREADS=n)
+	$(BIN)/python -m minipov.bench --threads $(THREADS)
+
+clean: ## remove what was built
+	rm -rf $(VENV) build out minipov.egg-info tracer/target tracer/*.so
