@@ -12,6 +12,7 @@ pub mod graph;
 pub mod light;
 pub mod math;
 pub mod mesh;
+pub mod noise;
 pub mod prepare;
 pub mod render;
 pub mod shade;

@@ -1,0 +1,198 @@
+"""Asks POV-Ray for the values that the core's tests compare with: `python tests/tracer/golden_values.py`.
+
+Writes `tracer/tests/data/<group>.txt`: first the points (three numbers a line), then for each case a line with its name,
+a colon and one value per point. The Rust tests rebuild the cases by name.
+"""
+
+from __future__ import annotations
+
+import random
+import subprocess
+import tempfile
+from pathlib import Path
+
+DATA = Path(__file__).parents[2] / "tracer/tests/data"
+
+Point = tuple[float, float, float]
+"""A place to ask for the value at."""
+
+
+def ask(declarations: str, expressions: list[str], points: list[Point], settings: str = "") -> list[list[str]]:
+    """The value of each SDL expression (of X, Y, Z) at each point, one row per expression."""
+    with tempfile.TemporaryDirectory() as folder:
+        scene, output = Path(folder, "probe.pov"), Path(folder, "values.txt")
+        written = ',",",'.join(f"str({e},0,14)" for e in expressions)
+        calls = "\n".join(f"P({x!r},{y!r},{z!r})" for x, y, z in points)
+        scene.write_text(
+            f"#version 3.7;\nglobal_settings{{ assumed_gamma 1 {settings} }}\n{declarations}\n"
+            f'#fopen F "{output}" write\n#macro P(X,Y,Z) #write(F,{written},"\\n") #end\n{calls}\n#fclose F\n'
+        )
+        command = ["povray", f"+I{scene}", "-F", "+W1", "+H1", "-D", "-GA", "+WT1"]
+        log = subprocess.run(command, capture_output=True, text=True, timeout=300, cwd=folder, check=False).stderr
+        lines = output.read_text().splitlines() if output.exists() else []
+        if len(lines) != len(points):
+            raise RuntimeError(log)
+        return [list(column) for column in zip(*(line.split(",") for line in lines), strict=True)]
+
+
+def write(group: str, points: list[Point], cases: dict[str, list[str]]) -> None:
+    """One data file."""
+    lines = [" ".join(repr(c) for c in p) for p in points]
+    lines += [f"{name}: {' '.join(f'{float(v):.12g}' for v in values)}" for name, values in cases.items()]
+    DATA.mkdir(parents=True, exist_ok=True)
+    (DATA / f"{group}.txt").write_text("\n".join(lines) + "\n")
+
+
+def scattered(count: int, reach: float, seed: int = 1) -> list[Point]:
+    """Random points of a cube around the origin, short in decimals."""
+    rng = random.Random(seed)
+    return [tuple(round(rng.uniform(-reach, reach), 4) for _ in range(3)) for _ in range(count)]  # type: ignore[misc]
+
+
+SPECIAL: list[Point] = [
+    (0.0, 0.0, 0.0),
+    (1.0, 0.0, 0.0),
+    (0.0, 1.0, 0.0),
+    (0.0, 0.0, 1.0),
+    (-1.0, -2.0, -3.0),
+    (0.5, 0.5, 0.5),
+    (-0.5, 0.25, -0.75),
+    (2.0, -1.0, 0.0),
+]
+"""Lattice points, axes and the origin."""
+
+
+def noise() -> None:
+    """The three noise generators and vector turbulence."""
+    points = scattered(150, 20) + scattered(50, 90000, 2) + SPECIAL + [(0.0, 0.3, -5.0), (4096.0, -4096.5, 12.25)]
+    cases = {f"noise {n}": f"N(X,Y,Z,{n})" for n in (1, 2, 3)}
+    for name, arguments in {"octave": "2,.5,1", "default": "2,.5,6", "odd": "1.7,.8,9"}.items():
+        cases |= {f"turbulence {name} {c}": f"vturbulence({arguments},<X,Y,Z>).{c}" for c in "xyz"}
+    declared = "#declare N=function{internal(78)};"
+    write("noise", points, dict(zip(cases, ask(declared, list(cases.values()), points), strict=True)))
+
+
+TURBULENT = ["agate", "marble", "wood", "spiral1 3", "spiral2 2", "onion", "bozo", "granite", "leopard", "radial"]
+"""Patterns asked for with turbulence too; the first five treat it in a way of their own."""
+
+PLAIN = [
+    *TURBULENT,
+    "agate agate_turb 0.3",
+    "boxed",
+    "bumps",
+    "cells",
+    "cylindrical",
+    "dents",
+    "gradient x",
+    "gradient <1,2,-3>",
+    "planar",
+    "quilted",
+    "quilted control0 0.2 control1 1.7",
+    "ripples",
+    "spherical",
+    "spiral1 -2",
+    "spotted",
+    "waves",
+    "wrinkles",
+]
+"""Continuous patterns with a plain value."""
+
+BLOCKS = [
+    "brick",
+    "brick brick_size <1,0.5,0.75> mortar 0.1",
+    "checker",
+    "cubic",
+    "hexagon",
+]
+"""Patterns that number their blocks."""
+
+CRACKLE = [
+    "crackle",
+    "crackle form <1,0,0>",
+    "crackle form <0,1,0>",
+    "crackle form <0,0,1>",
+    "crackle metric 1",
+    "crackle metric 3.5",
+    "crackle offset 0.4",
+    "crackle solid",
+    "crackle solid form <1,0,0> metric 4",
+]
+"""Cell patterns."""
+
+WAVES = [
+    "triangle_wave",
+    "sine_wave",
+    "scallop_wave",
+    "cubic_wave",
+    "poly_wave 2.5",
+    "frequency 2.5 phase .3",
+    "frequency -1.3",
+    "phase -0.6",
+    "frequency 0 phase 0.4",
+    "frequency 3 sine_wave",
+]
+"""Modifiers of a pattern's value."""
+
+TURBULENCES = [
+    "turbulence 0.7",
+    "turbulence <0.3,1,-2> octaves 4 omega 0.6 lambda 2.3",
+    "turbulence 0.5 scale 2",
+    "scale <1,2,3> turbulence 0.5 translate x",
+    "noise_generator 1 turbulence 0.4",
+    "noise_generator 3 turbulence 0.4",
+]
+"""Classic turbulence."""
+
+WARPS = [
+    "warp{turbulence 0.5}",
+    "scale 2 warp{turbulence 0.5} rotate 30*y turbulence 0.3",
+    "warp{repeat 1.5*x}",
+    "warp{repeat -2*y offset <.1,0,.3> flip <1,0,1>}",
+    "warp{repeat 0.7*z flip y} translate 0.2",
+    "warp{black_hole <.5,.2,0>,2}",
+    "warp{black_hole <.5,.2,0>,2 inverse strength 0.7 falloff 1.4}",
+    "warp{black_hole <.5,.5,.5>,.4 strength 1.5 repeat <1,1,1>}",
+    "warp{black_hole <.5,.5,.5>,.3 repeat <1,2,1.5> turbulence <.1,.2,.1>}",
+    "warp{cylindrical}",
+    "warp{cylindrical orientation x dist_exp 1}",
+    "warp{cylindrical orientation y dist_exp 0.5}",
+    "warp{spherical}",
+    "warp{spherical orientation y dist_exp 2}",
+    "warp{spherical orientation x}",
+    "warp{spherical orientation <1,1,1> dist_exp 1}",
+    "warp{cylindrical orientation <1,2,3>}",
+    "warp{toroidal}",
+    "warp{toroidal orientation x dist_exp 1 major_radius 2}",
+    "warp{toroidal orientation y major_radius 0.5}",
+    "warp{planar}",
+    "warp{planar y,0.3}",
+    "warp{planar <1,1,2>,-0.3}",
+    "warp{cubic}",
+    "matrix <1,.2,0,.1,1,.3,0,0,2,.5,.6,.7>",
+]
+"""Ways to bend space, seen through patterns of x, y and z."""
+
+
+def pattern_cases() -> dict[str, str]:
+    """All patterns asked for, by the SDL that stands between `pattern {` and `}`."""
+    cases = [*PLAIN, *BLOCKS, *CRACKLE]
+    cases += [f"{p} noise_generator {g}" for p in ("agate", "bozo", "dents", "granite", "wrinkles") for g in (1, 3)]
+    cases += [f"{p} {w}" for p in ("gradient x", "marble", "wood", "ripples", "spiral2 2") for w in WAVES]
+    cases += [f"{p} {w}" for p in ("checker", "brick", "waves") for w in WAVES[5:7]]
+    cases += [f"{p} {t}" for p in TURBULENT for t in TURBULENCES]
+    cases += [f"gradient {a} {w}" for w in WARPS for a in ("x", "y", "z")]
+    return {c: c for c in cases}
+
+
+def patterns() -> None:
+    """Every pattern on scattered points."""
+    points = scattered(60, 4) + scattered(6, 300, 3) + SPECIAL
+    cases = pattern_cases()
+    declared = "\n".join(f"#declare F{i}=function{{pattern{{{c}}}}};" for i, c in enumerate(cases.values()))
+    rows = ask(declared, [f"F{i}(X,Y,Z)" for i in range(len(cases))], points)
+    write("patterns", points, dict(zip(cases, rows, strict=True)))
+
+
+if __name__ == "__main__":
+    noise()
+    patterns()

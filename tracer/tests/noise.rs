@@ -1,0 +1,24 @@
+//! Noise and turbulence against POV-Ray's values.
+
+mod golden;
+
+use minipov_tracer::math::Vec3;
+use minipov_tracer::noise::{NoiseGenerator, Octaves};
+
+#[test]
+fn noise_equals_povrays() {
+    golden::parse(include_str!("data/noise.txt")).check(2e-12, |case| {
+        let words: Vec<_> = case.split(' ').collect();
+        let octaves = match words[1] {
+            "octave" => Octaves::new(1, 0.5, 2.0),
+            "odd" => Octaves::new(9, 0.8, 1.7),
+            _ => Octaves::default(),
+        };
+        let component = words.get(2).map(|c| "xyz".find(c).expect("an axis"));
+        let generator = NoiseGenerator::from_number(words[1].parse().unwrap_or(0));
+        move |p: Vec3| match component {
+            Some(c) => octaves.vector(p)[c],
+            None => generator.noise(p),
+        }
+    });
+}
