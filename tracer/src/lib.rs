@@ -13,10 +13,12 @@ pub mod light;
 pub mod math;
 pub mod mesh;
 pub mod noise;
+pub mod pattern;
 pub mod prepare;
 pub mod render;
 pub mod shade;
 pub mod shape;
+pub mod warp;
 #[cfg(test)]
 mod testing;
 

@@ -7,7 +7,7 @@ use minipov_tracer::noise::{NoiseGenerator, Octaves};
 
 #[test]
 fn noise_equals_povrays() {
-    golden::parse(include_str!("data/noise.txt")).check(2e-12, |case| {
+    golden::parse(include_str!("data/noise.txt")).check(1e-11, |case| {
         let words: Vec<_> = case.split(' ').collect();
         let octaves = match words[1] {
             "octave" => Octaves::new(1, 0.5, 2.0),

@@ -86,9 +86,9 @@ pub fn vector_noise(p: Vec3) -> Vec3 {
     sum.into()
 }
 
-/// A pseudo-random 12-bit number for a lattice point; `cells` and `crackle` seed their streams with it.
+/// A pseudo-random 12-bit number for a unit cube, the seed of `cells` and `crackle`.
 #[inline]
 pub fn hash3(ix: i64, iy: i64, iz: i64) -> u16 {
-    let wrap = |i: i64| (i + SHIFT & MASK) as usize;
+    let wrap = |i: i64| (i & MASK) as usize;
     PERMUTATION[hash2(wrap(ix), wrap(iy)) ^ wrap(iz)]
 }

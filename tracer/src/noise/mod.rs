@@ -4,6 +4,7 @@
 
 mod coefficients;
 mod lattice;
+mod mersenne;
 mod perlin;
 mod random;
 mod turbulence;
@@ -11,6 +12,7 @@ mod turbulence;
 use crate::math::Vec3;
 
 pub use lattice::{hash3, vector_noise};
+pub use mersenne::MersenneTwister;
 pub use random::Lcg;
 pub use turbulence::Octaves;
 
@@ -49,12 +51,12 @@ impl NoiseGenerator {
         }
     }
 
-    /// Noise for sums of octaves: generators 2 and 3 are stretched to reach as far as generator 1.
+    /// Noise for sums of octaves: generators 2 and 3 are spread to reach as far as generator 1, beyond 0..=1.
     #[inline]
-    pub fn stretched(self, p: Vec3) -> f64 {
+    pub fn spread(self, p: Vec3) -> f64 {
         match self {
             NoiseGenerator::Original => self.noise(p),
-            _ => (2.0 * self.noise(p) - 0.5).clamp(0.0, 1.0),
+            _ => 2.0 * self.noise(p) - 0.5,
         }
     }
 }

@@ -1,0 +1,83 @@
+//! SDL: `crackle form <a,b,c> metric F offset F solid`: cells around one random point per unit cube.
+
+use super::cells::{point_in_cube, TOLERANCE};
+use crate::math::{vec3, Vec3};
+use crate::noise::NoiseGenerator;
+
+/// Parameters of `crackle`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crackle {
+    /// Weights of the distances to the nearest, second and third point.
+    pub form: Vec3,
+    /// Exponent of the Minkowski distance.
+    pub metric: f64,
+    /// Distance in a fourth dimension.
+    pub offset: f64,
+    /// One value per cell instead of the distances.
+    pub solid: bool,
+}
+
+impl Default for Crackle {
+    fn default() -> Crackle {
+        Crackle { form: vec3(-1.0, 1.0, 0.0), metric: 2.0, offset: 0.0, solid: false }
+    }
+}
+
+impl Crackle {
+    /// A number that grows with the distance.
+    #[inline]
+    fn rank(&self, d: Vec3) -> f64 {
+        if self.metric == 2.0 {
+            d.length_squared() + self.offset * self.offset
+        } else if self.metric == 1.0 {
+            d.x.abs() + d.y.abs() + d.z.abs() + self.offset
+        } else {
+            let power = |v: f64| v.abs().powf(self.metric);
+            power(d.x) + power(d.y) + power(d.z) + power(self.offset)
+        }
+    }
+
+    /// The distance of a rank.
+    #[inline]
+    fn distance(&self, rank: f64) -> f64 {
+        if self.metric == 2.0 {
+            rank.sqrt()
+        } else if self.metric == 1.0 {
+            rank
+        } else {
+            rank.powf(1.0 / self.metric)
+        }
+    }
+
+    pub(super) fn value(&self, p: Vec3, generator: NoiseGenerator) -> f64 {
+        let c = p.map(|v| (v - TOLERANCE).floor());
+        let (x, y, z) = (c.x as i64, c.y as i64, c.z as i64);
+        let mut nearest = [f64::INFINITY; 3];
+        let mut center = p;
+        for dx in -2..=2_i64 {
+            for dy in -2..=2_i64 {
+                for dz in -2..=2_i64 {
+                    // Cubes two steps away along more than one axis hold no near point.
+                    if i32::from(dx.abs() == 2) + i32::from(dy.abs() == 2) + i32::from(dz.abs() == 2) > 1 {
+                        continue;
+                    }
+                    let point = point_in_cube(x + dx, y + dy, z + dz);
+                    let rank = self.rank(point - p);
+                    if rank < nearest[0] {
+                        nearest = [rank, nearest[0], nearest[1]];
+                        center = point;
+                    } else if rank < nearest[1] {
+                        nearest = [nearest[0], rank, nearest[1]];
+                    } else if rank < nearest[2] {
+                        nearest[2] = rank;
+                    }
+                }
+            }
+        }
+        if self.solid {
+            return generator.noise(center);
+        }
+        let [d1, d2, d3] = nearest.map(|r| self.distance(r));
+        (self.form.x * d1 + self.form.y * d2 + self.form.z * d3).clamp(0.0, 1.0)
+    }
+}

@@ -1,0 +1,109 @@
+//! The patterns by kind, and what each says about itself.
+
+use super::{blocks, cells, noisy, shells, spirals, surface};
+use super::{Brick, Crackle, Modifiers, Slope, SurfaceContext, Wave, WaveSources};
+use crate::math::Vec3;
+
+/// A pattern's keyword and its own parameters.
+#[derive(Clone, Debug)]
+#[allow(missing_docs)] // named after their keywords
+pub enum PatternKind {
+    Agate { agate_turb: f64 },
+    Aoi,
+    Boxed,
+    /// `bozo`, `spotted`, `bumps`.
+    Bozo,
+    Brick(Brick),
+    Cells,
+    Checker,
+    Crackle(Crackle),
+    Cubic,
+    Cylindrical,
+    Dents,
+    /// The direction, of length one.
+    Gradient(Vec3),
+    Granite,
+    Hexagon,
+    Leopard,
+    Marble,
+    Onion,
+    Planar,
+    Quilted { control0: f64, control1: f64 },
+    Radial,
+    Ripples(WaveSources),
+    Slope(Slope),
+    Spherical,
+    Spiral1 { arms: f64 },
+    Spiral2 { arms: f64 },
+    Square,
+    Waves(WaveSources),
+    Wood,
+    Wrinkles,
+}
+
+impl PatternKind {
+    /// The raw value at a point of the pattern's own space.
+    #[inline]
+    pub fn value(&self, p: Vec3, modifiers: &Modifiers, surface: &SurfaceContext) -> f64 {
+        let generator = modifiers.noise_generator;
+        match self {
+            PatternKind::Agate { agate_turb } => noisy::agate(p, *agate_turb, modifiers),
+            PatternKind::Aoi => surface::angle_of_incidence(surface),
+            PatternKind::Boxed => shells::fading(shells::chebyshev(p)),
+            PatternKind::Bozo => generator.noise(p),
+            PatternKind::Brick(brick) => brick.value(p),
+            PatternKind::Cells => cells::cells(p),
+            PatternKind::Checker => blocks::checker(p),
+            PatternKind::Crackle(crackle) => crackle.value(p, generator),
+            PatternKind::Cubic => blocks::cubic(p),
+            PatternKind::Cylindrical => shells::fading(p.x.hypot(p.z)),
+            PatternKind::Dents => noisy::dents(p, generator),
+            PatternKind::Gradient(direction) => shells::wrapped(p.dot(*direction)),
+            PatternKind::Granite => noisy::granite(p, generator),
+            PatternKind::Hexagon => blocks::hexagon(p),
+            PatternKind::Leopard => shells::leopard(p),
+            PatternKind::Marble => shells::marble(p, modifiers),
+            PatternKind::Onion => p.length() % 1.0,
+            PatternKind::Planar => shells::fading(p.y.abs()),
+            PatternKind::Quilted { control0, control1 } => shells::quilted(p, *control0, *control1),
+            PatternKind::Radial => shells::radial(p),
+            PatternKind::Ripples(sources) => sources.ripples(p, &modifiers.waveform),
+            PatternKind::Slope(slope) => slope.value(p, surface),
+            PatternKind::Spherical => shells::fading(p.length()),
+            PatternKind::Spiral1 { arms } => spirals::spiral1(p, *arms, modifiers),
+            PatternKind::Spiral2 { arms } => spirals::spiral2(p, *arms, modifiers),
+            PatternKind::Square => blocks::square(p),
+            PatternKind::Waves(sources) => sources.waves(p, &modifiers.waveform),
+            PatternKind::Wood => shells::wood(p, modifiers),
+            PatternKind::Wrinkles => noisy::wrinkles(p, generator),
+        }
+    }
+
+    /// The wave used where none is asked for.
+    pub fn own_wave(&self) -> Wave {
+        match self {
+            PatternKind::Marble | PatternKind::Wood => Wave::Triangle,
+            PatternKind::Spiral1 { .. } | PatternKind::Spiral2 { .. } => Wave::Triangle,
+            _ => Wave::Ramp,
+        }
+    }
+
+    /// Whether the value is the number of a block.
+    #[inline]
+    pub fn is_blocks(&self) -> bool {
+        matches!(
+            self,
+            PatternKind::Brick(_)
+                | PatternKind::Checker
+                | PatternKind::Cubic
+                | PatternKind::Hexagon
+                | PatternKind::Square
+        )
+    }
+
+    /// Whether the classic turbulence is part of the pattern's own formula.
+    #[inline]
+    pub fn treats_turbulence(&self) -> bool {
+        matches!(self, PatternKind::Marble | PatternKind::Wood)
+    }
+}
