@@ -1,6 +1,6 @@
 """Asks POV-Ray for the values that the core's tests compare with: `python tests/tracer/golden_values.py`.
 
-Writes `tracer/tests/data/<group>.txt`: first the points (three numbers a line), then for each case a line with its name,
+Writes `tracer/tests/golden_values/<group>.txt`: first the points (three numbers a line), then for each case a line with its name,
 a colon and one value per point. The Rust tests rebuild the cases by name.
 """
 
@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-DATA = Path(__file__).parents[2] / "tracer/tests/data"
+DATA = Path(__file__).parents[2] / "tracer/tests/golden_values"
 
 Point = tuple[float, float, float]
 """A place to ask for the value at."""

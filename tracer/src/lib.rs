@@ -18,6 +18,7 @@ pub mod prepare;
 pub mod render;
 pub mod shade;
 pub mod shape;
+pub mod texture;
 pub mod warp;
 #[cfg(test)]
 mod testing;

@@ -34,7 +34,7 @@ const fn shuffled() -> [u16; SIZE] {
 fn cell(x: f64) -> ([usize; 2], f64) {
     let floor = x.floor();
     let i = (floor as i64).wrapping_add(SHIFT);
-    ([(i & MASK) as usize, (i + 1 & MASK) as usize], x - floor)
+    ([(i & MASK) as usize, ((i + 1) & MASK) as usize], x - floor)
 }
 
 /// 12 bits for a lattice column.

@@ -41,7 +41,7 @@ static TABLES: LazyLock<Tables> = LazyLock::new(|| {
 fn cell(x: f64) -> ([i64; 2], f64) {
     let t = x + SHIFT;
     let i = t as i64;
-    ([i & MASK, i + 1 & MASK], t - i as f64)
+    ([i & MASK, (i + 1) & MASK], t - i as f64)
 }
 
 /// Noise in 0..1.
@@ -53,12 +53,12 @@ pub fn noise(p: Vec3) -> f64 {
     let lerp = |t: f64, a: f64, b: f64| a + t * (b - a);
     let (sx, sy, sz) = (s_curve(x), s_curve(y), s_curve(z));
     let corner = |column: i64, dx: usize, dy: usize, dz: usize| {
-        let g = gradients[(column + iz[dz] & MASK) as usize];
+        let g = gradients[((column + iz[dz]) & MASK) as usize];
         g.dot(vec3(x - dx as f64, y - dy as f64, z - dz as f64))
     };
     let column = |dx: usize, dy: usize| {
         let row = permutation[ix[dx] as usize] as i64;
-        permutation[(row + iy[dy] & MASK) as usize] as i64
+        permutation[((row + iy[dy]) & MASK) as usize] as i64
     };
     let along_z = |dx, dy| {
         let c = column(dx, dy);

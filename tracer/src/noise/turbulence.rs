@@ -40,7 +40,8 @@ impl Octaves {
 
     /// The scalar sum, as `agate`, `marble` and the spirals use it.
     pub fn scalar(&self, p: Vec3, generator: NoiseGenerator) -> f64 {
-        let (mut sum, mut size, mut amplitude) = (generator.spread(p).clamp(0.0, 1.0), self.lambda, self.omega);
+        let (mut sum, mut size, mut amplitude) =
+            (generator.spread(p).clamp(0.0, 1.0), self.lambda, self.omega);
         for _ in 1..self.octaves {
             sum += generator.spread(p * size) * amplitude;
             size *= self.lambda;

@@ -42,8 +42,8 @@ impl Brick {
 pub(super) fn hexagon(p: Vec3) -> f64 {
     // Axial coordinates: one axis along z, the other 60 degrees off; centres are the integer points.
     let row_height = 3.0_f64.sqrt();
-    let q = p.x / 1.5;
-    let r = p.z / row_height - 0.5 * q;
+    let q = (p.x + TOLERANCE) / 1.5;
+    let r = (p.z + TOLERANCE) / row_height - 0.5 * q;
     // The nearest centre: round all three hexagonal coordinates, then mend the worst.
     let s = -q - r;
     let (mut rq, mut rr, rs) = (q.round(), r.round(), s.round());

@@ -21,7 +21,7 @@ pub(super) fn cells(p: Vec3) -> f64 {
 
 /// The random point of a unit cube.
 #[inline]
-pub(super) fn point_in_cube(x: i64, y: i64, z: i64) -> Vec3 {
+pub(crate) fn point_in_cube(x: i64, y: i64, z: i64) -> Vec3 {
     let start = usize::from(hash3(x, y, z));
     let f = &FRACTIONS[start..start + 3];
     vec3(x as f64 + f[0], y as f64 + f[1], z as f64 + f[2])

@@ -8,7 +8,9 @@ use crate::math::Vec3;
 #[derive(Clone, Debug)]
 #[allow(missing_docs)] // named after their keywords
 pub enum PatternKind {
-    Agate { agate_turb: f64 },
+    Agate {
+        agate_turb: f64,
+    },
     Aoi,
     Boxed,
     /// `bozo`, `spotted`, `bumps`.
@@ -28,13 +30,20 @@ pub enum PatternKind {
     Marble,
     Onion,
     Planar,
-    Quilted { control0: f64, control1: f64 },
+    Quilted {
+        control0: f64,
+        control1: f64,
+    },
     Radial,
     Ripples(WaveSources),
     Slope(Slope),
     Spherical,
-    Spiral1 { arms: f64 },
-    Spiral2 { arms: f64 },
+    Spiral1 {
+        arms: f64,
+    },
+    Spiral2 {
+        arms: f64,
+    },
     Square,
     Waves(WaveSources),
     Wood,

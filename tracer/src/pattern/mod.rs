@@ -15,6 +15,7 @@ mod surface;
 mod wave;
 
 pub use blocks::Brick;
+pub(crate) use cells::point_in_cube;
 pub use crackle::Crackle;
 pub use kind::PatternKind;
 pub use modifiers::{Modifiers, TurbulenceModifier};
@@ -43,19 +44,26 @@ impl Pattern {
     /// The shaped value at `p`: 0..=1 for most patterns, the number of the block for block patterns.
     #[inline]
     pub fn value(&self, p: Vec3, surface: &SurfaceContext) -> f64 {
-        let raw = self.raw(p, surface);
+        self.value_and_place(p, surface).0
+    }
+
+    /// The shaped value, and the point in the pattern's own space, where its inner pigments or normals are asked.
+    #[inline]
+    pub fn value_and_place(&self, p: Vec3, surface: &SurfaceContext) -> (f64, Vec3) {
+        let place = self.modifiers.locate(p, surface, self.kind.treats_turbulence());
+        let raw = self.kind.value(place, &self.modifiers, surface);
         // The numbers of blocks stay as they are, unless a frequency or phase is asked for.
         if self.kind.is_blocks() && self.modifiers.waveform.is_plain() {
-            raw
+            (raw, place)
         } else {
-            self.modifiers.waveform.shape(raw)
+            (self.modifiers.waveform.shape(raw), place)
         }
     }
 
-    /// The value before frequency, phase and wave.
+    /// The number of the block at `p`, and the point in the pattern's own space.
     #[inline]
-    pub fn raw(&self, p: Vec3, surface: &SurfaceContext) -> f64 {
-        let q = self.modifiers.locate(p, surface, self.kind.treats_turbulence());
-        self.kind.value(q, &self.modifiers, surface)
+    pub fn block_and_place(&self, p: Vec3, surface: &SurfaceContext) -> (usize, Vec3) {
+        let place = self.modifiers.locate(p, surface, false);
+        (self.kind.value(place, &self.modifiers, surface) as usize, place)
     }
 }

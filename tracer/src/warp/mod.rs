@@ -1,5 +1,13 @@
 //! SDL: `warp { ... }` and transforms: from a point to the point that a pattern is asked at.
 
+mod black_hole;
+mod mapping;
+mod repeat;
+
+pub use black_hole::BlackHole;
+pub use mapping::{Mapping, Projection};
+pub use repeat::Repeat;
+
 use crate::math::{Transform, Vec3};
 use crate::pattern::TurbulenceModifier;
 
@@ -8,8 +16,16 @@ use crate::pattern::TurbulenceModifier;
 pub enum Warp {
     /// A transform of the pattern, undone.
     Transform(Box<Transform>),
-    /// `warp { turbulence V }`.
+    /// `turbulence V`.
     Turbulence(TurbulenceModifier),
+    /// `repeat V`.
+    Repeat(Repeat),
+    /// `black_hole V, F`.
+    BlackHole(Box<BlackHole>),
+    /// `cylindrical`, `spherical`, `toroidal`, `planar`.
+    Mapping(Box<Mapping>),
+    /// `cubic`.
+    Cubic,
 }
 
 impl Warp {
@@ -19,6 +35,10 @@ impl Warp {
         match self {
             Warp::Transform(t) => t.inverse_point(p),
             Warp::Turbulence(t) => t.displace(p),
+            Warp::Repeat(repeat) => repeat.apply(p),
+            Warp::BlackHole(hole) => hole.apply(p),
+            Warp::Mapping(mapping) => mapping.apply(p),
+            Warp::Cubic => mapping::cubic(p),
         }
     }
 }

@@ -5,7 +5,7 @@ use minipov_tracer::noise::{NoiseGenerator, Octaves};
 use minipov_tracer::pattern::{
     Brick, Crackle, Pattern, PatternKind, TurbulenceModifier, Wave, WaveSources, Waveform,
 };
-use minipov_tracer::warp::Warp;
+use minipov_tracer::warp::{BlackHole, Mapping, Projection, Repeat, Warp};
 
 /// The words of a case, read from the left.
 pub struct Words<'a>(pub &'a str);
@@ -96,9 +96,9 @@ fn rotation(degrees: Vec3) -> Transform {
 
 fn kind(words: &mut Words) -> PatternKind {
     match words.word().expect("a pattern") {
-        "agate" => {
-            PatternKind::Agate { agate_turb: if words.option("agate_turb") { single(words.number()) } else { 1.0 } }
-        }
+        "agate" => PatternKind::Agate {
+            agate_turb: if words.option("agate_turb") { single(words.number()) } else { 1.0 },
+        },
         "aoi" => PatternKind::Aoi,
         "boxed" => PatternKind::Boxed,
         "bozo" | "spotted" | "bumps" => PatternKind::Bozo,
@@ -167,7 +167,60 @@ fn turbulence(words: &mut Words) -> TurbulenceModifier {
 fn warp(words: &mut Words) -> Warp {
     match words.word().expect("a warp") {
         "turbulence" => Warp::Turbulence(turbulence(words)),
-        other => panic!("no warp {other}"),
+        "repeat" => {
+            let v = words.vector();
+            let axis = (0..3).find(|&a| v[a] != 0.0).expect("an axis");
+            let mut repeat = Repeat::new(axis, v[axis], Vec3::ZERO, [false; 3]);
+            loop {
+                if words.option("offset") {
+                    repeat.offset = words.vector();
+                } else if words.option("flip") {
+                    let f = words.vector();
+                    repeat.flip = [f.x, f.y, f.z].map(|c| c != 0.0);
+                } else {
+                    break Warp::Repeat(repeat);
+                }
+            }
+        }
+        "black_hole" => {
+            let (center, radius) = (words.vector(), words.number());
+            let (strength, falloff, inverse, repeat, turbulence) = (1.0, 2.0, false, None, Vec3::ZERO);
+            let mut hole = BlackHole { center, radius, strength, falloff, inverse, repeat, turbulence };
+            loop {
+                match words.option("inverse") {
+                    true => hole.inverse = true,
+                    _ if words.option("strength") => hole.strength = words.number(),
+                    _ if words.option("falloff") => hole.falloff = words.number(),
+                    _ if words.option("repeat") => hole.repeat = Some(words.vector()),
+                    _ if words.option("turbulence") => hole.turbulence = words.vector(),
+                    _ => break Warp::BlackHole(Box::new(hole)),
+                }
+            }
+        }
+        "planar" => {
+            let (orientation, distance) =
+                if words.0.starts_with('}') { (Vec3::Z, 0.0) } else { (words.vector(), words.number()) };
+            Warp::Mapping(Box::new(Mapping::new(Projection::Planar(distance), orientation, 0.0)))
+        }
+        "cubic" => Warp::Cubic,
+        name => {
+            let (mut orientation, mut dist_exp, mut major_radius) = (Vec3::Z, 0.0, 1.0);
+            loop {
+                match words.option("orientation") {
+                    true => orientation = words.vector(),
+                    _ if words.option("dist_exp") => dist_exp = words.number(),
+                    _ if words.option("major_radius") => major_radius = words.number(),
+                    _ => break,
+                }
+            }
+            let projection = match name {
+                "cylindrical" => Projection::Cylindrical,
+                "spherical" => Projection::Spherical,
+                "toroidal" => Projection::Toroidal(major_radius),
+                other => panic!("no warp {other}"),
+            };
+            Warp::Mapping(Box::new(Mapping::new(projection, orientation, dist_exp)))
+        }
     }
 }
 

@@ -1,7 +1,5 @@
 //! Reads the values that `tests/tracer/golden_values.py` asked POV-Ray for.
 
-pub mod sdl;
-
 use minipov_tracer::math::{vec3, Vec3};
 
 /// One file: the points, and for each case the value at each point.
@@ -35,7 +33,9 @@ impl Golden {
                 failures.push(format!("{name}: not built"));
                 continue;
             };
-            let wrong = |&(p, e): &(&Vec3, &f64)| !((f(*p) - e).abs() <= tolerance * (1.0 + e.abs()));
+            // Where POV-Ray itself has no number, anything goes.
+            let wrong =
+                |&(p, e): &(&Vec3, &f64)| !e.is_nan() && !((f(*p) - e).abs() <= tolerance * (1.0 + e.abs()));
             let all: Vec<_> = self.points.iter().zip(expected).filter(wrong).collect();
             if let Some((p, e)) = all.first() {
                 failures.push(format!("{name}: {} wrong, at {p:?} {} for {e}", all.len(), f(**p)));

@@ -1,13 +1,12 @@
 //! Noise and turbulence against POV-Ray's values.
 
-mod golden;
-
+use super::data;
 use minipov_tracer::math::Vec3;
 use minipov_tracer::noise::{NoiseGenerator, Octaves};
 
 #[test]
 fn noise_equals_povrays() {
-    golden::parse(include_str!("data/noise.txt")).check(1e-11, |case| {
+    data::parse(include_str!("../golden_values/noise.txt")).check(1e-11, |case| {
         let words: Vec<_> = case.split(' ').collect();
         let octaves = match words[1] {
             "octave" => Octaves::new(1, 0.5, 2.0),

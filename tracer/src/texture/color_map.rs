@@ -1,0 +1,52 @@
+//! SDL: `color_map { [0 rgb 0] [0.5 rgb x] [1 rgb 1] }`, and the look-up that all maps share.
+
+use crate::color::Rgbft;
+
+/// Values with what they stand for, in the order they were written.
+#[derive(Clone, Debug)]
+pub struct BlendMap<T>(Vec<(f64, T)>);
+
+/// A `color_map`.
+pub type ColorMap = BlendMap<Rgbft>;
+
+impl<T> BlendMap<T> {
+    /// At least one entry.
+    pub fn new(entries: Vec<(f64, T)>) -> BlendMap<T> {
+        assert!(!entries.is_empty(), "a map needs an entry");
+        BlendMap(entries)
+    }
+
+    /// All entries, in order.
+    pub fn entries(&self) -> &[(f64, T)] {
+        &self.0
+    }
+
+    /// The two entries around `value` and how far `value` lies between them, 0..=1.
+    ///
+    /// Below the first entry it is the first, above the last the last; of equal entries the later counts.
+    #[inline]
+    pub fn around(&self, value: f64) -> (&T, &T, f64) {
+        let entries = &self.0[..];
+        let above = entries.iter().position(|e| value < e.0);
+        match above {
+            Some(0) => (&entries[0].1, &entries[0].1, 0.0),
+            Some(i) => {
+                let ((low, a), (high, b)) = (&entries[i - 1], &entries[i]);
+                (a, b, (value - low) / (high - low))
+            }
+            None => {
+                let last = &entries[entries.len() - 1].1;
+                (last, last, 0.0)
+            }
+        }
+    }
+}
+
+impl ColorMap {
+    /// The colour at `value`, all five components interpolated.
+    #[inline]
+    pub fn color(&self, value: f64) -> Rgbft {
+        let (a, b, t) = self.around(value);
+        Rgbft::lerp(a, b, t)
+    }
+}

@@ -1,0 +1,80 @@
+//! SDL: `pigment { PATTERN color_map {...} | pigment_map {...} | list }`: a colour at every point.
+
+use std::sync::Arc;
+
+use super::color_map::{BlendMap, ColorMap};
+use super::default_map;
+use crate::color::Rgbft;
+use crate::math::Vec3;
+use crate::pattern::{Modifiers, Pattern, SurfaceContext};
+
+/// A pigment; shared ones are cheap to clone.
+#[derive(Clone, Debug)]
+pub enum Pigment {
+    /// One colour everywhere.
+    Solid(Rgbft),
+    /// The pattern's value looks up a colour.
+    Colors(Arc<(Pattern, ColorMap)>),
+    /// The pattern's value mixes two pigments.
+    Pigments(Arc<(Pattern, BlendMap<Pigment>)>),
+    /// The pattern's number picks a pigment.
+    Blocks(Arc<(Pattern, Vec<Pigment>)>),
+    /// `average`: the weighted mean of pigments.
+    Average(Arc<(Modifiers, Vec<(f64, Pigment)>)>),
+}
+
+impl Pigment {
+    /// A pattern with the map that it has by default.
+    pub fn with_default_map(pattern: Pattern) -> Pigment {
+        if pattern.kind.is_blocks() {
+            let colors = default_map::block_colors(&pattern.kind);
+            Pigment::Blocks(Arc::new((pattern, colors.into_iter().map(Pigment::Solid).collect())))
+        } else {
+            let map = default_map::color_map(&pattern.kind);
+            Pigment::Colors(Arc::new((pattern, map)))
+        }
+    }
+
+    /// The colour at `p`.
+    pub fn color(&self, p: Vec3, surface: &SurfaceContext) -> Rgbft {
+        match self {
+            Pigment::Solid(color) => *color,
+            Pigment::Colors(node) => {
+                let (pattern, map) = &**node;
+                map.color(pattern.value(p, surface))
+            }
+            Pigment::Pigments(node) => {
+                let (pattern, map) = &**node;
+                let (value, inner) = pattern.value_and_place(p, surface);
+                let (a, b, t) = map.around(value);
+                if t == 0.0 {
+                    return a.color(inner, surface);
+                }
+                Rgbft::lerp(&a.color(inner, surface), &b.color(inner, surface), t)
+            }
+            Pigment::Blocks(node) => {
+                let (pattern, pigments) = &**node;
+                let (value, inner) = pattern.block_and_place(p, surface);
+                pigments[value % pigments.len()].color(inner, surface)
+            }
+            Pigment::Average(node) => {
+                let (modifiers, entries) = &**node;
+                let inner = modifiers.locate(p, surface, false);
+                average(entries.iter().map(|(weight, pigment)| (*weight, pigment.color(inner, surface))))
+            }
+        }
+    }
+}
+
+/// The weighted mean of colours.
+fn average(colors: impl Iterator<Item = (f64, Rgbft)>) -> Rgbft {
+    let mut sum = Rgbft::default();
+    let mut total = 0.0;
+    for (weight, color) in colors {
+        sum.rgb += color.rgb * weight;
+        sum.filter += color.filter * weight;
+        sum.transmit += color.transmit * weight;
+        total += weight;
+    }
+    Rgbft { rgb: sum.rgb * (1.0 / total), filter: sum.filter / total, transmit: sum.transmit / total }
+}

@@ -1,0 +1,6 @@
+//! The core's textures against the values that POV-Ray gives.
+
+mod data;
+mod noise;
+mod patterns;
+mod sdl;
