@@ -18,10 +18,10 @@ pub mod prepare;
 pub mod render;
 pub mod shade;
 pub mod shape;
-pub mod texture;
-pub mod warp;
 #[cfg(test)]
 mod testing;
+pub mod texture;
+pub mod warp;
 
 #[cfg(feature = "python")]
 mod python;

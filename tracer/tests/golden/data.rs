@@ -34,8 +34,10 @@ impl Golden {
                 continue;
             };
             // Where POV-Ray itself has no number, anything goes.
-            let wrong =
-                |&(p, e): &(&Vec3, &f64)| !e.is_nan() && !((f(*p) - e).abs() <= tolerance * (1.0 + e.abs()));
+            let wrong = |&(p, e): &(&Vec3, &f64)| {
+                let close = (f(*p) - e).abs() <= tolerance * (1.0 + e.abs());
+                !close && !e.is_nan()
+            };
             let all: Vec<_> = self.points.iter().zip(expected).filter(wrong).collect();
             if let Some((p, e)) = all.first() {
                 failures.push(format!("{name}: {} wrong, at {p:?} {} for {e}", all.len(), f(**p)));
