@@ -15,7 +15,7 @@ Our own scenes, each small. A scene opens with comment lines that tools read:
 
 `features/` holds one scene per feature of the language; the parity tests render each with minipov and with POV-Ray and
 assert its class. `features/later/` holds scenes of features that are not asserted yet. Images are beside them in
-`features/images/`, so render with `+Lscenes/features`. `gallery/` is for looking at.
+`features/images/`; POV-Ray finds them with `+L` and the folder of the scene. `gallery/` is for looking at.
 
 This page is made by `python tests/tools/catalogue.py`.
 """

@@ -2,7 +2,7 @@
 // class: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }
-#declare Shown = texture { pigment { image_pattern { png "images/hills.png" interpolate 2 } color_map { [0.2 rgb <0.1, 0.1, 0.3>] [0.5 rgb <0.8, 0.4, 0.2>] [0.9 rgb <1, 0.9, 0.6>] } } }
+#declare Shown = texture { pigment { image_pattern { png "../images/hills.png" interpolate 2 } color_map { [0.2 rgb <0.1, 0.1, 0.3>] [0.5 rgb <0.8, 0.4, 0.2>] [0.9 rgb <1, 0.9, 0.6>] } } }
 
 camera { location <1.3, 1.9, -5.2> look_at <0.15, 0, 0> angle 42 }
 light_source { <-4, 7, -8>, rgb 1 }

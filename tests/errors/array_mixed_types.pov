@@ -1,0 +1,6 @@
+// Elements of different types
+// error: 6:17
+#version 3.7;
+#declare A = array[2];
+#declare A[0] = 1;
+#declare A[1] = "text";

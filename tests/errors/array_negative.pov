@@ -1,0 +1,5 @@
+// A negative subscript
+// error: 5:16 -1
+#version 3.7;
+#declare A = array[3] { 1, 2, 3 }
+#declare B = A[-1];

@@ -1,0 +1,4 @@
+// An array of no elements
+// error: 4:20
+#version 3.7;
+#declare A = array[0];

@@ -1,0 +1,4 @@
+// Fewer items than the array has places
+// error: 4:30
+#version 3.7;
+#declare A = array[3] { 1, 2 }

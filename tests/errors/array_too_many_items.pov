@@ -1,0 +1,4 @@
+// More items than the array has places
+// error: 4:29
+#version 3.7;
+#declare A = array[2] { 1, 2, 3 }

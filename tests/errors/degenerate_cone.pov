@@ -1,0 +1,4 @@
+// A cone of no length
+// error: 4:1 cone
+#version 3.7;
+cone { y, 1, y, 0.5 }

@@ -1,0 +1,4 @@
+// A cylinder of no length
+// error: 4:1 cylinder
+#version 3.7;
+cylinder { y, y, 1 }

@@ -1,0 +1,4 @@
+// Too few arguments of a built-in function
+// error: 4:19
+#version 3.7;
+#declare A = pow(2);

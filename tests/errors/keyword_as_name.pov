@@ -1,0 +1,4 @@
+// A reserved word as a name
+// error: 4:10 'sphere'
+#version 3.7;
+#declare sphere = 1;

@@ -1,0 +1,4 @@
+// A quartic with too few numbers
+// error: 4:19
+#version 3.7;
+quartic { <1, 2, 3> }

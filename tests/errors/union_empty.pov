@@ -1,0 +1,4 @@
+// A union of nothing only warns
+// warning: 4:1 union
+#version 3.7;
+union { }

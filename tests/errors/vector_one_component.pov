@@ -1,0 +1,4 @@
+// A vector of one component
+// error: 4:16
+#version 3.7;
+#declare V = <1>;

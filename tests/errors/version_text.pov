@@ -1,0 +1,3 @@
+// A version that is no number
+// error: 3:10
+#version "3.7";

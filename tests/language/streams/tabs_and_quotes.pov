@@ -1,0 +1,3 @@
+// Escapes in debug text
+#version 3.7;
+#debug "a\tb \"c\" \\ d\n" // expect: a	b "c" \ d
