@@ -1,4 +1,6 @@
-//! SDL: `camera { perspective | orthographic | fisheye | ... }`.
+//! SDL: `camera { perspective | orthographic | fisheye | ... }`: the laws were probed direction by direction.
+
+use std::f64::consts::PI;
 
 use crate::graph::camera::{Camera, CameraKind};
 use crate::math::{Ray, Vec3};
@@ -11,17 +13,37 @@ pub struct Projection {
     direction: Vec3,
     right: Vec3,
     up: Vec3,
+    /// Lengths of `right` and `up`.
+    size: [f64; 2],
+    /// The three vectors with length one.
+    frame: [Vec3; 3],
+    /// Horizontal and vertical angle, in radians.
+    angle: [f64; 2],
 }
+
+/// Width over height from which an omnimax picture's dome is cut at the bottom, not at the sides.
+const OMNIMAX_ASPECT: f64 = 1.283458;
 
 impl Projection {
     /// Prepares a camera; kinds not written yet become perspective and are named.
     pub fn new(camera: &Camera) -> (Projection, Option<&'static str>) {
         let Camera { kind, location, direction, right, up, .. } = *camera;
         let unsupported = match kind {
-            CameraKind::Perspective | CameraKind::Orthographic => None,
-            _ => Some("camera type"),
+            CameraKind::MeshCamera => Some("mesh_camera"),
+            CameraKind::UserDefined => Some("user_defined camera"),
+            _ => None,
         };
-        (Projection { kind, location, direction, right, up }, unsupported)
+        let projection = Projection {
+            kind,
+            location,
+            direction,
+            right,
+            up,
+            size: [right.length(), up.length()],
+            frame: [right.normalized(), up.normalized(), direction.normalized()],
+            angle: [camera.angle.to_radians(), camera.vertical_angle.to_radians()],
+        };
+        (projection, unsupported)
     }
 
     /// The camera's place.
@@ -29,12 +51,71 @@ impl Projection {
         self.location
     }
 
-    /// The ray through (u, v), each from -0.5 to 0.5, to the right and up; any length.
+    /// The ray through (u, v), each from -0.5 to 0.5, to the right and up; any length. `None` outside a round picture.
     pub fn ray(&self, u: f64, v: f64) -> Option<Ray> {
-        let across = self.right * u + self.up * v;
-        Some(match self.kind {
-            CameraKind::Orthographic => Ray { origin: self.location + across, direction: self.direction },
-            _ => Ray { origin: self.location, direction: self.direction + across },
-        })
+        let from = |origin: Vec3, direction: Vec3| Some(Ray { origin, direction });
+        let here = |direction: Vec3| from(self.location, direction);
+        let [width, height] = self.size;
+        let [horizontal, vertical] = self.angle;
+        match self.kind {
+            CameraKind::Perspective | CameraKind::MeshCamera | CameraKind::UserDefined => {
+                here(self.direction + self.right * u + self.up * v)
+            }
+            CameraKind::Orthographic => from(self.location + self.right * u + self.up * v, self.direction),
+            CameraKind::Fisheye => {
+                self.dome(2.0 * u * width, 2.0 * v * height, |radius| radius * horizontal / 2.0)
+            }
+            CameraKind::Omnimax => {
+                let aspect = width / height;
+                let stretch = if aspect > OMNIMAX_ASPECT { aspect / OMNIMAX_ASPECT } else { 1.0 };
+                let y = (2.0 * v - 1.0) / aspect.min(OMNIMAX_ASPECT) + 1.0;
+                // The lens of the dome's projector.
+                let lens = |r: f64| 1.411269 * r - 0.09439 * r.powi(3) + 0.25674 * r.powi(5);
+                self.dome(2.0 * u * stretch, y, lens)
+            }
+            CameraKind::UltraWideAngle => {
+                let (x, y) = (u * horizontal, v * horizontal * height / width);
+                here(self.towards(x.sin(), y.sin(), x.cos() * y.cos()))
+            }
+            CameraKind::Panoramic => {
+                let (x, y) = (PI * u, PI * v);
+                here(self.right * x.sin() + self.up * y.tan() + self.direction * x.cos())
+            }
+            CameraKind::Spherical => {
+                let (x, y) = (u * horizontal, v * vertical);
+                here(self.towards(x.sin() * y.cos(), y.sin(), x.cos() * y.cos()))
+            }
+            CameraKind::Cylinder1 => {
+                let x = u * horizontal;
+                here(self.towards(x.sin(), v * height, x.cos()))
+            }
+            CameraKind::Cylinder2 => {
+                let y = v * horizontal;
+                here(self.towards(u * width, y.sin(), y.cos()))
+            }
+            CameraKind::Cylinder3 => {
+                let x = u * horizontal;
+                from(self.location + self.up * v, self.towards(x.sin(), 0.0, x.cos()))
+            }
+            CameraKind::Cylinder4 => {
+                let y = v * horizontal;
+                from(self.location + self.right * u, self.towards(0.0, y.sin(), y.cos()))
+            }
+        }
+    }
+
+    fn towards(&self, right: f64, up: f64, ahead: f64) -> Vec3 {
+        self.frame[0] * right + self.frame[1] * up + self.frame[2] * ahead
+    }
+
+    /// A round picture: the distance from its centre gives the angle from the axis.
+    fn dome(&self, x: f64, y: f64, angle: impl Fn(f64) -> f64) -> Option<Ray> {
+        let radius = x.hypot(y);
+        if radius > 1.0 {
+            return None;
+        }
+        let (sin, cos) = angle(radius).sin_cos();
+        let across = if radius > 0.0 { sin / radius } else { 0.0 };
+        Some(Ray { origin: self.location, direction: self.towards(x * across, y * across, cos) })
     }
 }

@@ -3,11 +3,11 @@
 use super::Quality;
 use crate::atmosphere::{Atmosphere, Sky};
 use crate::camera::Camera;
-use crate::color::{rgb, Rgb};
+use crate::color::Rgb;
 use crate::geometry::{Geometry, NodeId};
 use crate::graph::Interior;
 use crate::light::Light;
-use crate::shade::{InteriorId, Path, Texture, TextureId};
+use crate::shade::{InteriorId, Spot, Texture, TextureId};
 
 /// A scene ready for rendering.
 #[derive(Debug)]
@@ -92,23 +92,23 @@ impl Scene {
         id.and_then(|id| self.interior(id)).map_or(1.0, |interior| interior.ior)
     }
 
-    /// What `fade_distance` and `fade_power` leave of light that goes `distance` through `id`, if the ray is in it.
-    pub fn attenuation_within(&self, path: &Path, id: InteriorId, distance: f64) -> Rgb {
-        let Some(interior) = self.interior(id) else {
-            return Rgb::WHITE;
-        };
-        if interior.fade_power <= 0.0 || interior.fade_distance <= 0.0 || !path.interiors.contains(id) {
-            return Rgb::WHITE;
+    /// What `fade_distance` leaves of light that goes through a surface, seen from inside the object.
+    #[inline]
+    pub fn view_attenuation(&self, spot: &Spot) -> Rgb {
+        match self.interior(spot.interior) {
+            Some(i) if i.fade_distance > 0.0 && spot.path.interiors.contains(spot.interior) => {
+                fading(i, spot.distance)
+            }
+            _ => Rgb::WHITE,
         }
-        let depth = distance / interior.fade_distance;
-        let left = if interior.fade_power >= 1000.0 {
-            (-depth).exp()
-        } else {
-            1.0 / (1.0 + depth.powf(interior.fade_power))
-        };
-        let lift = |color: f64| color + (1.0 - color) * left;
-        let color = interior.fade_color;
-        rgb(lift(color.r), lift(color.g), lift(color.b))
+    }
+
+    /// The same for light of a lamp, which an absent `fade_power` leaves alone.
+    pub fn shadow_attenuation(&self, spot: &Spot) -> Rgb {
+        match self.interior(spot.interior) {
+            Some(i) if i.fade_power > 0.0 => self.view_attenuation(spot),
+            _ => Rgb::WHITE,
+        }
     }
 
     /// Tells the camera which objects it stands in.
@@ -117,4 +117,15 @@ impl Scene {
             self.camera.interiors.enter(self.interior_of(node));
         }
     }
+}
+
+/// What is left of light after `distance` inside.
+fn fading(interior: &Interior, distance: f64) -> Rgb {
+    let depth = distance / interior.fade_distance;
+    let left = if interior.fade_power >= 1000.0 {
+        (-depth).exp()
+    } else {
+        1.0 / (1.0 + depth.powf(interior.fade_power))
+    };
+    interior.fade_color.map(|color| color + (1.0 - color) * left)
 }

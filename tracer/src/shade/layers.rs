@@ -58,8 +58,8 @@ impl Tracer<'_> {
         let scene = self.scene;
         let mut seen = Radiance::BLACK;
         // What of the light from below gets through the layers so far.
-        let mut filter = self.scene.attenuation_within(spot.path, spot.interior, spot.distance);
-        let mut through = filter.gray();
+        let mut filter = Rgb::WHITE;
+        let mut through = 1.0;
         let mut top_normal = spot.normal;
         for (number, layer) in layers.iter().enumerate() {
             if through < scene.adc_bailout {
@@ -80,15 +80,16 @@ impl Tracer<'_> {
             let mut passing = color.rgb * color.filter + Rgb::WHITE * color.transmit;
             if let Some(mirror) = &finish.reflection {
                 let share = self.reflectivity(spot, mirror, normal, color.rgb);
-                seen.rgb += self.mirrored(spot, mirror, normal, share.mul_each(filter), weight * through);
+                seen.rgb += self.mirrored(spot, mirror, normal, share, weight * through);
                 if finish.conserve_energy {
                     passing = passing.mul_each(share.map(|s| (1.0 - s).max(0.0)));
                 }
             }
             filter = filter.mul_each(passing);
-            through = filter.gray().abs().min(1.0);
+            through = filter.max_element().min(1.0);
         }
         if through > scene.adc_bailout {
+            filter = filter.mul_each(scene.view_attenuation(spot));
             self.seen_through(spot, top_normal, filter, weight * through, &mut seen);
         }
         seen

@@ -8,10 +8,12 @@ mod layers;
 mod reflect;
 mod refract;
 mod shadow;
+mod soft_shadow;
 mod texture;
 
 pub use finish::Finish;
 pub use interiors::{InteriorId, Interiors};
+pub use layers::Spot;
 use reflect::mirror_direction;
 pub use texture::{Layer, Texture, TextureId};
 
@@ -24,6 +26,9 @@ use crate::render::Random;
 
 /// Hits nearer than this are the surface that the ray starts from.
 pub const NEAREST: f64 = 1e-4;
+
+/// Rays that go straight on are followed through this many surfaces.
+const STRAIGHT: u32 = 2000;
 
 /// Light arriving along a ray, and how much of what lies behind everything shows through (for alpha).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -66,8 +71,12 @@ pub struct Tracer<'s> {
     pub random: Random,
     /// Number of rays that led to the current one.
     depth: u32,
+    /// Number of rays on the way here that only went straight on.
+    straight: u32,
     /// The last occluder of each light.
     occluders: Vec<Option<NodeId>>,
+    /// Scratch for the points of an area light.
+    grid: Vec<Option<Rgb>>,
     /// Scratch for textures seen together at one point.
     weights: Vec<(Option<u32>, f64)>,
 }
@@ -80,17 +89,41 @@ impl<'s> Tracer<'s> {
             counters: Counters::default(),
             random: Random::seeded(0, 0, 0),
             depth: 0,
+            straight: 0,
             occluders: vec![None; scene.lights.len()],
+            grid: Vec::new(),
             weights: Vec::new(),
         }
     }
 
     /// Light arriving along a ray that counts with `weight` in the pixel.
     pub fn trace(&mut self, path: &Path, weight: f64) -> Radiance {
-        if self.depth >= self.scene.max_trace_level || weight < self.scene.adc_bailout {
+        if self.gives_up(weight) {
             return Radiance::BLACK;
         }
         self.depth += 1;
+        let seen = self.follow(path, weight);
+        self.depth -= 1;
+        seen
+    }
+
+    /// The same for a ray that goes straight on through a surface: it does not count as a further one.
+    fn trace_on(&mut self, path: &Path, weight: f64) -> Radiance {
+        if self.gives_up(weight) || self.straight >= STRAIGHT {
+            return Radiance::BLACK;
+        }
+        self.straight += 1;
+        let seen = self.follow(path, weight);
+        self.straight -= 1;
+        seen
+    }
+
+    /// Whether a further ray would be too deep or too weak.
+    fn gives_up(&self, weight: f64) -> bool {
+        self.depth >= self.scene.max_trace_level || weight < self.scene.adc_bailout
+    }
+
+    fn follow(&mut self, path: &Path, weight: f64) -> Radiance {
         let geometry = &self.scene.geometry;
         let hit = geometry.nearest(&path.ray, NEAREST, f64::INFINITY, path.kind, &mut self.counters);
         let (mut seen, distance) = match hit {
@@ -98,7 +131,6 @@ impl<'s> Tracer<'s> {
             None => (self.scene.sky.light(path.ray.direction), f64::INFINITY),
         };
         self.scene.atmosphere.dim(path, distance, &mut seen);
-        self.depth -= 1;
         seen
     }
 }

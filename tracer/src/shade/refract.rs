@@ -7,7 +7,7 @@ use crate::color::Rgb;
 use crate::math::{Ray, Vec3};
 
 impl Tracer<'_> {
-    /// Density of what the ray is in over what lies behind the surface... as seen going through.
+    /// Density of what lies behind the surface over that of what the ray is in.
     pub(super) fn relative_ior(&self, spot: &Spot) -> f64 {
         let behind = self.beyond(spot);
         self.scene.ior_of(behind.innermost()) / self.scene.ior_of(spot.path.interiors.innermost())
@@ -31,33 +31,33 @@ impl Tracer<'_> {
         weight: f64,
         seen: &mut Radiance,
     ) {
-        if !self.scene.quality.refraction {
+        let scene = self.scene;
+        if !scene.quality.refraction {
             return;
         }
-        let interiors = self.beyond(spot);
         let ray = &spot.path.ray;
-        let ratio = self.scene.ior_of(ray_medium(spot)) / self.scene.ior_of(interiors.innermost());
-        let direction = if (ratio - 1.0).abs() < 1e-10 {
-            Some(ray.direction)
-        } else {
-            refracted(ray.direction, normal, ratio)
+        let onward = |direction, interiors| Path {
+            ray: Ray { origin: spot.point, direction },
+            interiors,
+            ..*spot.path
         };
-        let (direction, interiors, kind) = match direction {
-            Some(direction) => (direction, interiors, spot.path.kind),
-            None => {
-                let mirrored = mirror_direction(ray.direction, normal, spot.normal);
-                (mirrored, spot.path.interiors, RayKind::Reflected)
+        let interiors = self.beyond(spot);
+        let ratio = scene.ior_of(spot.path.interiors.innermost()) / scene.ior_of(interiors.innermost());
+        let behind = if (ratio - 1.0).abs() < 1e-10 {
+            self.trace_on(&onward(ray.direction, interiors), weight)
+        } else {
+            match refracted(ray.direction, normal, ratio) {
+                Some(direction) => self.trace(&onward(direction, interiors), weight),
+                None => {
+                    let direction = mirror_direction(ray.direction, normal, spot.normal);
+                    let path = Path { kind: RayKind::Reflected, ..onward(direction, spot.path.interiors) };
+                    self.trace(&path, weight)
+                }
             }
         };
-        let path = Path { ray: Ray { origin: spot.point, direction }, interiors, kind };
-        let behind = self.trace(&path, weight);
         seen.rgb += behind.rgb.mul_each(filter);
         seen.transmit += behind.transmit * filter.gray();
     }
-}
-
-fn ray_medium(spot: &Spot) -> Option<u32> {
-    spot.path.interiors.innermost()
 }
 
 /// Snell's law; none where light is totally reflected. `ratio` is the density before over that behind.

@@ -17,11 +17,16 @@ impl Tracer<'_> {
         if light.shadowless || !self.scene.quality.shadows {
             return arrival.color;
         }
-        self.point_shadow(number, spot, arrival)
+        match &light.area {
+            Some(area) if self.scene.quality.area_lights => {
+                self.area_shadow(number, light, area, spot, arrival)
+            }
+            _ => self.point_shadow(number, spot, arrival),
+        }
     }
 
     /// Shadow of a single point of light.
-    fn point_shadow(&mut self, number: u32, spot: &Spot, arrival: &Arrival) -> Rgb {
+    pub(super) fn point_shadow(&mut self, number: u32, spot: &Spot, arrival: &Arrival) -> Rgb {
         let scene = self.scene;
         let ray = Ray { origin: spot.point, direction: arrival.direction };
         let limit = arrival.distance - TOLERANCE;
@@ -73,8 +78,7 @@ impl Tracer<'_> {
             let Some(hit) = nearest else {
                 break;
             };
-            let filter = self.surface_filter(&path, &hit);
-            color = color.mul_each(filter);
+            color = color.mul_each(self.surface_filter(&path, &hit));
             path.ray.origin = path.ray.at(hit.crossing.t);
             left -= hit.crossing.t;
             let interior = self.scene.interior_of(hit.node);

@@ -6,6 +6,9 @@ use crate::color::{Rgb, Rgbft};
 use crate::geometry::Hit;
 use crate::math::{Transform, Vec3};
 
+/// Exponent of the cosine per unit of `caustics` (probed).
+const CAUSTIC_SHARPNESS: f64 = 45.0;
+
 /// Index of a texture in the scene.
 pub type TextureId = u32;
 
@@ -88,7 +91,19 @@ impl Tracer<'_> {
         let looks = scene.geometry.looks(hit.node);
         let frame = Frame::world(spot.point);
         let worn = looks.interior_texture.filter(|_| spot.from_inside).or(looks.texture);
-        self.texture_filter(&spot, &frame, scene.dress(worn))
+        let filter = self.texture_filter(&spot, &frame, scene.dress(worn));
+        filter.mul_each(scene.shadow_attenuation(&spot)) * self.caustic(&spot)
+    }
+
+    /// `caustics F`: light gathers where it goes straight through a surface.
+    fn caustic(&self, spot: &Spot) -> f64 {
+        match self.scene.interior(spot.interior) {
+            Some(interior) if interior.caustics != 0.0 => {
+                let cos = spot.normal.dot(spot.path.ray.direction).abs();
+                1.0 + cos.powf(CAUSTIC_SHARPNESS * interior.caustics)
+            }
+            _ => 1.0,
+        }
     }
 
     fn texture_filter(&mut self, spot: &Spot, frame: &Frame, texture: TextureId) -> Rgb {
