@@ -35,6 +35,9 @@ pub struct Looks {
     pub texture: Option<u32>,
     /// For the side that rays from inside see.
     pub interior_texture: Option<u32>,
+    /// Which filled space the object bounds: an index into the bodies of the `Geometry`. Children of one union or CSG
+    /// without interiors of their own share theirs; two objects never do. Only the default has none.
+    pub body: Option<u32>,
     /// What fills the object.
     pub interior: Option<u32>,
     /// Lets media and fog pass.

@@ -39,6 +39,8 @@ pub struct Geometry {
     pub textures: Vec<Worn<Texture>>,
     /// Every interior that a node has.
     pub interiors: Vec<Worn<Interior>>,
+    /// The interior of each body, if the scene gives one; `Looks::body` holds an index.
+    pub bodies: Vec<Option<u32>>,
     /// Lights found inside unions and CSG, in file order.
     pub lights: Vec<Worn<LightSource>>,
     /// The light groups; `Looks::light_group` holds an index.

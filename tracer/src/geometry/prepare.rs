@@ -57,6 +57,7 @@ impl Preparation {
                 tree: Accelerator::build(kind, &[]),
                 textures: Vec::new(),
                 interiors: Vec::new(),
+                bodies: Vec::new(),
                 lights: Vec::new(),
                 light_groups: Vec::new(),
             },
@@ -287,10 +288,16 @@ impl Preparation {
         let interior = object.interior.as_ref();
         let interior = interior
             .map(|item| find_or_add(&mut self.geometry.interiors, &mut self.interior_index, item, space));
+        // Each object fills space with something of its own, unless a union or CSG around it fills all its children.
+        let body = given.body.filter(|_| interior.is_none()).unwrap_or_else(|| {
+            self.geometry.bodies.push(interior);
+            self.geometry.bodies.len() as u32 - 1
+        });
         Looks {
             texture: own_texture.or(given.texture),
             interior_texture: own_interior_texture
                 .or(given.interior_texture.filter(|_| own_texture.is_none())),
+            body: Some(body),
             interior: interior.or(given.interior),
             hollow: own.hollow.unwrap_or(given.hollow),
             no_shadow: own.no_shadow || given.no_shadow,

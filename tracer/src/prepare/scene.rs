@@ -7,7 +7,7 @@ use crate::color::Rgb;
 use crate::geometry::{Geometry, NodeId};
 use crate::graph::Interior;
 use crate::light::Light;
-use crate::shade::{InteriorId, Spot, Texture, TextureId};
+use crate::shade::{BodyId, Spot, Texture, TextureId};
 
 /// A scene ready for rendering.
 #[derive(Debug)]
@@ -74,29 +74,29 @@ impl Scene {
         &self.light_sets[group.map_or(0, |g| g as usize + 1)]
     }
 
-    /// What fills a node.
+    /// The body that a node bounds.
     #[inline]
-    pub fn interior_of(&self, node: NodeId) -> InteriorId {
-        self.geometry.looks(node).interior.unwrap_or(self.interiors.len() as u32 + node)
+    pub fn body_of(&self, node: NodeId) -> BodyId {
+        self.geometry.looks(node).body.expect("every prepared object bounds a body")
     }
 
-    /// The interior of a number, if the scene says anything about it.
+    /// What fills a body, if the scene says anything about it.
     #[inline]
-    pub fn interior(&self, id: InteriorId) -> Option<&Interior> {
-        self.interiors.get(id as usize)
+    pub fn interior(&self, id: BodyId) -> Option<&Interior> {
+        self.geometry.bodies[id as usize].map(|interior| &self.interiors[interior as usize])
     }
 
     /// Optical density; that of open space is 1.
     #[inline]
-    pub fn ior_of(&self, id: Option<InteriorId>) -> f64 {
+    pub fn ior_of(&self, id: Option<BodyId>) -> f64 {
         id.and_then(|id| self.interior(id)).map_or(1.0, |interior| interior.ior)
     }
 
     /// What `fade_distance` leaves of light that goes through a surface, seen from inside the object.
     #[inline]
     pub fn view_attenuation(&self, spot: &Spot) -> Rgb {
-        match self.interior(spot.interior) {
-            Some(i) if i.fade_distance > 0.0 && spot.path.interiors.contains(spot.interior) => {
+        match self.interior(spot.body) {
+            Some(i) if i.fade_distance > 0.0 && spot.path.interiors.contains(spot.body) => {
                 fading(i, spot.distance)
             }
             _ => Rgb::WHITE,
@@ -105,7 +105,7 @@ impl Scene {
 
     /// The same for light of a lamp, which an absent `fade_power` leaves alone.
     pub fn shadow_attenuation(&self, spot: &Spot) -> Rgb {
-        match self.interior(spot.interior) {
+        match self.interior(spot.body) {
             Some(i) if i.fade_power > 0.0 => self.view_attenuation(spot),
             _ => Rgb::WHITE,
         }
@@ -114,7 +114,7 @@ impl Scene {
     /// Tells the camera which objects it stands in.
     pub(super) fn place_camera(&mut self) {
         for node in self.geometry.containing(self.camera.location()) {
-            self.camera.interiors.enter(self.interior_of(node));
+            self.camera.interiors.enter(self.body_of(node));
         }
     }
 }

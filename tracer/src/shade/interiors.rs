@@ -1,7 +1,7 @@
 //! Which objects a ray is inside of: they decide about refraction, attenuation, media and fog.
 
-/// Identity of an interior: an index into the scene's interiors, or past them the number of a node without one.
-pub type InteriorId = u32;
+/// A body, by its number in the geometry.
+pub type BodyId = u32;
 
 /// More nested objects than any scene has; what lies deeper is not tracked.
 const DEPTH: usize = 24;
@@ -9,7 +9,7 @@ const DEPTH: usize = 24;
 /// The interiors around a ray, outermost first.
 #[derive(Clone, Copy, Debug)]
 pub struct Interiors {
-    ids: [InteriorId; DEPTH],
+    ids: [BodyId; DEPTH],
     len: u8,
 }
 
@@ -18,7 +18,7 @@ impl Interiors {
     pub const NONE: Interiors = Interiors { ids: [0; DEPTH], len: 0 };
 
     /// Goes into an object.
-    pub fn enter(&mut self, id: InteriorId) {
+    pub fn enter(&mut self, id: BodyId) {
         if (self.len as usize) < DEPTH {
             self.ids[self.len as usize] = id;
             self.len += 1;
@@ -26,7 +26,7 @@ impl Interiors {
     }
 
     /// Leaves an object; whether it was there.
-    pub fn leave(&mut self, id: InteriorId) -> bool {
+    pub fn leave(&mut self, id: BodyId) -> bool {
         let Some(at) = self.iter().rposition(|known| known == id) else {
             return false;
         };
@@ -36,17 +36,17 @@ impl Interiors {
     }
 
     /// Whether the ray is inside.
-    pub fn contains(&self, id: InteriorId) -> bool {
+    pub fn contains(&self, id: BodyId) -> bool {
         self.iter().any(|known| known == id)
     }
 
     /// The interior entered last.
-    pub fn innermost(&self) -> Option<InteriorId> {
+    pub fn innermost(&self) -> Option<BodyId> {
         self.iter().next_back()
     }
 
     /// From the outermost on.
-    pub fn iter(&self) -> impl DoubleEndedIterator<Item = InteriorId> + ExactSizeIterator + '_ {
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = BodyId> + ExactSizeIterator + '_ {
         self.ids[..self.len as usize].iter().copied()
     }
 

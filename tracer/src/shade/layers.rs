@@ -1,6 +1,7 @@
 //! A plain or layered texture at one point: its own light, lamps, mirror, and what shines through.
 
-use super::interiors::InteriorId;
+use super::interiors::BodyId;
+use super::refract::Passage;
 use super::texture::{Frame, Layer};
 use super::{Path, Radiance, Tracer};
 use crate::color::{Rgb, Rgbft};
@@ -25,7 +26,7 @@ pub struct Spot<'a> {
     /// Whether the ray hits the surface from behind.
     pub from_inside: bool,
     /// What fills the object.
-    pub interior: InteriorId,
+    pub body: BodyId,
 }
 
 impl<'a> Spot<'a> {
@@ -41,7 +42,7 @@ impl<'a> Spot<'a> {
             node: hit.node,
             looks: scene.geometry.looks(hit.node),
             from_inside,
-            interior: scene.interior_of(hit.node),
+            body: scene.body_of(hit.node),
         }
     }
 }
@@ -61,6 +62,8 @@ impl Tracer<'_> {
         let mut filter = Rgb::WHITE;
         let mut through = 1.0;
         let mut top_normal = spot.normal;
+        // Total reflection takes the place of every layer's mirror.
+        let mut only_totally = false;
         for (number, layer) in layers.iter().enumerate() {
             if through < scene.adc_bailout {
                 break;
@@ -69,6 +72,7 @@ impl Tracer<'_> {
             let normal = spot.normal;
             if number == 0 {
                 top_normal = normal;
+                only_totally = self.is_totally_reflected(spot, normal, frame, layers);
             }
             let color = self.pigment_color(layer, frame);
             let opacity = color.opacity();
@@ -77,26 +81,44 @@ impl Tracer<'_> {
                 own += self.lamp_light(spot, finish, normal, color.rgb, opacity);
             }
             seen.rgb += own.mul_each(filter);
-            let mut passing = color.rgb * color.filter + Rgb::WHITE * color.transmit;
-            if let Some(mirror) = &finish.reflection {
+            let mut passes = passing(&color);
+            if let Some(mirror) = finish.reflection.as_ref().filter(|_| !only_totally) {
                 let share = self.reflectivity(spot, mirror, normal, color.rgb);
                 seen.rgb += self.mirrored(spot, mirror, normal, share, weight * through);
                 if finish.conserve_energy {
-                    passing = passing.mul_each(share.map(|s| (1.0 - s).max(0.0)));
+                    passes = passes.mul_each(share.map(|s| (1.0 - s).max(0.0)));
                 }
             }
-            filter = filter.mul_each(passing);
+            filter = filter.mul_each(passes);
             through = filter.max_element().min(1.0);
         }
         if through > scene.adc_bailout {
-            filter = filter.mul_each(scene.view_attenuation(spot));
             self.seen_through(spot, top_normal, filter, weight * through, &mut seen);
         }
         seen
+    }
+
+    /// Whether a ray would see something behind the layers but for its angle.
+    fn is_totally_reflected(&mut self, spot: &Spot, normal: Vec3, frame: &Frame, layers: &[Layer]) -> bool {
+        self.scene.quality.refraction
+            && self.passage(spot, normal) == Passage::None
+            && self.layers_filter(spot, frame, layers).max_element() > self.scene.adc_bailout
+    }
+
+    /// The share of light that passes layers.
+    pub(super) fn layers_filter(&mut self, _spot: &Spot, frame: &Frame, layers: &[Layer]) -> Rgb {
+        layers
+            .iter()
+            .fold(Rgb::WHITE, |filter, layer| filter.mul_each(passing(&self.pigment_color(layer, frame))))
     }
 
     /// The colour of a layer's pigment.
     fn pigment_color(&self, layer: &Layer, _frame: &Frame) -> Rgbft {
         layer.pigment
     }
+}
+
+/// The share of light that passes a pigment.
+fn passing(color: &Rgbft) -> Rgb {
+    color.rgb * color.filter + Rgb::WHITE * color.transmit
 }

@@ -12,7 +12,7 @@ mod soft_shadow;
 mod texture;
 
 pub use finish::Finish;
-pub use interiors::{InteriorId, Interiors};
+pub use interiors::{BodyId, Interiors};
 pub use layers::Spot;
 use reflect::mirror_direction;
 pub use texture::{Layer, Texture, TextureId};

@@ -81,7 +81,7 @@ impl Tracer<'_> {
             color = color.mul_each(self.surface_filter(&path, &hit));
             path.ray.origin = path.ray.at(hit.crossing.t);
             left -= hit.crossing.t;
-            let interior = self.scene.interior_of(hit.node);
+            let interior = self.scene.body_of(hit.node);
             if !path.interiors.leave(interior) {
                 path.interiors.enter(interior);
             }

@@ -48,7 +48,7 @@ impl Tracer<'_> {
 
     /// Light of the cell between two grid points.
     fn cell_shadow(&mut self, grid: &mut Grid, low: [usize; 2], high: [usize; 2], depth: u32) -> Rgb {
-        let mut mean = |parts: [Rgb; 4]| (parts[0] + parts[1] + parts[2] + parts[3]) * 0.25;
+        let mean = |parts: [Rgb; 4]| (parts[0] + parts[1] + parts[2] + parts[3]) * 0.25;
         let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|at| self.grid_shadow(grid, at));
         let can_split = high[0] - low[0] > 1 || high[1] - low[1] > 1;
         let differ = |a: usize, b: usize| difference(corners[a], corners[b]) > DIFFERENCE;

@@ -97,7 +97,7 @@ impl Tracer<'_> {
 
     /// `caustics F`: light gathers where it goes straight through a surface.
     fn caustic(&self, spot: &Spot) -> f64 {
-        match self.scene.interior(spot.interior) {
+        match self.scene.interior(spot.body) {
             Some(interior) if interior.caustics != 0.0 => {
                 let cos = spot.normal.dot(spot.path.ray.direction).abs();
                 1.0 + cos.powf(CAUSTIC_SHARPNESS * interior.caustics)
@@ -109,10 +109,7 @@ impl Tracer<'_> {
     fn texture_filter(&mut self, spot: &Spot, frame: &Frame, texture: TextureId) -> Rgb {
         let scene = self.scene;
         match &scene.textures[texture as usize] {
-            Texture::Layers(layers) => layers.iter().fold(Rgb::WHITE, |filter, layer| {
-                let color = layer.pigment;
-                filter.mul_each(color.rgb * color.filter + Rgb::WHITE * color.transmit)
-            }),
+            Texture::Layers(layers) => self.layers_filter(spot, frame, layers),
             Texture::Placed(space, inner) => self.texture_filter(spot, &frame.placed(space), *inner),
         }
     }
