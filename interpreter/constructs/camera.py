@@ -22,8 +22,7 @@ from minipov.tracer.function import Function
 from minipov.tracer.normal import Normal
 from minipov.tracer.objects import Object
 from minipov.tracer.shapes import Mesh
-from minipov.tracer.transform import IDENTITY, Transform
-from minipov.tracer.values import Vec3
+from minipov.tracer.transform import Transform
 
 KINDS: Final[dict[str, CameraKind]] = {
     "perspective": "perspective",
@@ -37,7 +36,8 @@ KINDS: Final[dict[str, CameraKind]] = {
 }
 CYLINDERS: Final[tuple[CameraKind, ...]] = ("cylinder1", "cylinder2", "cylinder3", "cylinder4")
 VECTORS: Final = ("right", "direction", "angle", "up", "sky", "location", "look_at", "focal_point")
-"""The keywords that act on the frame, in the order in which they act since version 3.5."""
+ORDER: Final = (*VECTORS, "transform")
+"""The order in which the parts of a camera act since version 3.5."""
 
 BLUR_FIELDS: Final[dict[str, Field]] = {
     "aperture": number("aperture"),
@@ -51,7 +51,7 @@ ACCEPTS: Final = (
     *TRANSFORM_WORDS,
     *("cylinder", "mesh_camera", "blur_samples", "bokeh", "normal"),
 )
-TEXTUAL_ORDER: Final = 3.5
+ORDERED: Final = 3.5
 ASPECT_OF_IMAGE: Final = 3.8
 
 
@@ -62,7 +62,6 @@ class _Said:
     steps: list[tuple[str, Any]] = field(default_factory=list)
     blur: dict[str, Any] = field(default_factory=dict)
     rest: dict[str, Any] = field(default_factory=dict)
-    transform: Transform = IDENTITY
     vertical_angle: float | None = None
     bare_angle: bool = False
 
@@ -90,8 +89,6 @@ def camera(reader: ItemReader, context: Context, sink: Sink) -> Camera:
 
 def moved(camera: Camera, transform: Transform) -> Camera:
     """The camera carried along by a transformation."""
-    if transform is IDENTITY:
-        return camera
     return replace(
         camera,
         location=transform.point(camera.location),
@@ -152,7 +149,7 @@ def _read_other(reader: ItemReader, context: Context, said: _Said) -> bool:
     """Transformations, focal blur, normals and the functions of a user_defined camera."""
     transform = read_transform(reader, context)
     if transform is not None:
-        said.transform = said.transform.then(transform)
+        said.steps.append(("transform", transform))
         return True
     blur = read_fields(reader, BLUR_FIELDS)
     if blur is not None:
@@ -187,47 +184,35 @@ def _blur_samples(reader: ItemReader) -> tuple[int, int]:
 
 
 def _built(frame: Frame, said: _Said, sink: Sink, context: Context) -> Camera:
-    steps = said.steps
-    if context.version >= TEXTUAL_ORDER:
-        steps = sorted(steps, key=lambda step: VECTORS.index(step[0]))
-    focal_point: Vec3 | None = None
-    for word, value in steps:
-        if word == "angle":
-            frame.set_angle(value)
-        elif word == "look_at":
-            try:
-                frame.set_look_at(value)
-            except ValueError as error:
-                raise SdlError(f"camera: {error}", sink.place, "move one of them") from error
-        elif word == "focal_point":
-            focal_point = value
-        else:
-            setattr(frame, word, value)
-            frame.sized = frame.sized or word in ("right", "up")
-    frame.finish(said.bare_angle)
+    """The camera that the block describes: before version 3.5 the parts act as they stand, since then in `ORDER`."""
+    modern = context.version >= ORDERED
+    steps = sorted(said.steps, key=lambda step: ORDER.index(step[0])) if modern else said.steps
+    moves = [step for step in steps if step[0] == "transform"] if modern else []
+    try:
+        for word, value in steps[: len(steps) - len(moves)]:
+            frame.act(word, value)
+    except ValueError as error:
+        raise SdlError(f"camera: {error}", sink.place, "move one of them") from error
+    if modern:
+        frame.size_orthographic(said.bare_angle)
     for warning in frame.warnings:
         context.messages.warn(warning, sink.place)
-    built = Camera(
-        frame.kind,
-        frame.location,
-        frame.direction,
-        frame.right,
-        frame.up,
-        focal_blur=_focal_blur(frame, said, focal_point),
-        **said.rest,
-    )
+    blur = _focal_blur(frame, said.blur)
+    for word, value in moves:
+        frame.act(word, value)
+    built = Camera(frame.kind, frame.location, frame.direction, frame.right, frame.up, focal_blur=blur, **said.rest)
     if frame.angle is not None:
         built = replace(built, angle=frame.angle)
     if said.vertical_angle is not None:
         built = replace(built, vertical_angle=said.vertical_angle)
-    return moved(built, said.transform)
+    return built
 
 
-def _focal_blur(frame: Frame, said: _Said, focal_point: Vec3 | None) -> FocalBlur | None:
-    blur = said.blur
+def _focal_blur(frame: Frame, blur: dict[str, Any]) -> FocalBlur | None:
     if blur.get("aperture", 0.0) == 0.0 or "blur_samples" not in blur:
         return None
-    to_focus = frame.direction if focal_point is None else difference(focal_point, frame.location)
+    point = frame.focal_point
+    to_focus = frame.direction if point is None else difference(point, frame.location)
     return FocalBlur(**blur, focal_distance=length(to_focus))
 
 

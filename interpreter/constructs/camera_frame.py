@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from math import radians, sqrt, tan
-from typing import Final
+from typing import Any, Final
 
 from minipov.tracer.camera import CameraKind
+from minipov.tracer.transform import Transform
 from minipov.tracer.values import Vec3
 
 PARALLEL: Final = 1e-10
@@ -59,9 +60,27 @@ class Frame:
     up: Vec3 = (0.0, 1.0, 0.0)
     sky: Vec3 = (0.0, 1.0, 0.0)
     look_at: Vec3 = Z
+    focal_point: Vec3 | None = None
     angle: float | None = None
     sized: bool = False
     warnings: list[str] = field(default_factory=list)
+
+    def act(self, word: str, value: Any) -> None:
+        """What the keyword ``word`` does to the frame.
+
+        Raises:
+            ValueError: ``look_at`` is where the camera is.
+        """
+        match word:
+            case "angle":
+                self.set_angle(value)
+            case "look_at":
+                self.set_look_at(value)
+            case "transform":
+                self.transform(value)
+            case _:
+                setattr(self, word, value)
+                self.sized = self.sized or word in ("right", "up")
 
     def set_angle(self, degrees: float) -> None:
         """Perspective: the direction gets the length that shows ``degrees`` over the width."""
@@ -82,21 +101,24 @@ class Frame:
         sizes = length(self.direction), length(self.right), length(self.up)
         left_handed = dot(cross(self.up, self.direction), self.right) > 0.0
         direction = unit(view)
-        sky = self.sky
-        right = cross(unit(sky), direction)
+        right = cross(unit(self.sky), direction)
         if length(right) < PARALLEL:
             self.warnings.append("the camera looks along its sky vector")
-            right = cross(self._other_sky(direction), direction)
+            right = self.right
         right = unit(right)
         up = cross(direction, right)
         self.direction = scaled(direction, sizes[0])
         self.right = scaled(right, sizes[1] if left_handed else -sizes[1])
         self.up = scaled(up, sizes[2])
 
-    def _other_sky(self, direction: Vec3) -> Vec3:
-        return Z if abs(direction[2]) < 0.5 else (1.0, 0.0, 0.0)
+    def transform(self, transform: Transform) -> None:
+        """Carry the camera along."""
+        self.location = transform.point(self.location)
+        self.direction = transform.direction(self.direction)
+        self.right = transform.direction(self.right)
+        self.up = transform.direction(self.up)
 
-    def finish(self, bare_angle: bool) -> None:
+    def size_orthographic(self, bare_angle: bool) -> None:
         """An orthographic camera shows what the perspective one would, at the distance of ``look_at``."""
         if self.kind != "orthographic":
             return
