@@ -41,6 +41,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
         sky: Sky::new(scene.background, settings.alpha),
         atmosphere: Atmosphere::default(),
         quality,
+        uses_uv: true,
         max_trace_level: global.max_trace_level,
         adc_bailout: global.adc_bailout,
         irid_wavelength: global.irid_wavelength,

@@ -32,6 +32,8 @@ pub struct Scene {
     pub atmosphere: Atmosphere,
     /// What is left out.
     pub quality: Quality,
+    /// Whether any texture asks for surface coordinates.
+    pub uses_uv: bool,
     /// Longest chain of rays.
     pub max_trace_level: u32,
     /// Rays of less weight are not shot.

@@ -9,6 +9,7 @@ use crate::graph::scene::Scene;
 use crate::graph::texture as graph;
 use crate::graph::{Shared, Unsupported};
 use crate::shade::{Finish, Layer, Texture, TextureId};
+use crate::texture::Pigment;
 
 /// All textures, and those that geometry knows by number, the scene's default last.
 pub fn prepare(
@@ -69,7 +70,8 @@ impl Builder<'_> {
 
     fn layer(&mut self, plain: &graph::PlainTexture) -> Layer {
         Layer {
-            pigment: plain.pigment.color,
+            pigment: Pigment::Solid(plain.pigment.color),
+            normal: None,
             finish: Finish::new(&plain.finish, self.scene.settings.ambient_light),
         }
     }
@@ -77,8 +79,11 @@ impl Builder<'_> {
     /// Whether nothing is ever seen through a texture: some layer is opaque everywhere.
     fn is_opaque(&self, id: TextureId) -> bool {
         match &self.textures[id as usize] {
-            Texture::Layers(layers) => layers.iter().any(|l| l.pigment.opacity() >= 1.0),
+            Texture::Layers(layers) => layers.iter().any(|layer| layer.pigment.is_opaque()),
             Texture::Placed(_, inner) => self.is_opaque(*inner),
+            Texture::Map(map) => map.1.entries().iter().all(|e| self.is_opaque(e.1)),
+            Texture::Blocks(blocks) => blocks.1.iter().all(|&id| self.is_opaque(id)),
+            Texture::Average(average) => average.1.iter().all(|e| self.is_opaque(e.1)),
         }
     }
 }

@@ -1,13 +1,16 @@
 //! A plain or layered texture at one point: its own light, lamps, mirror, and what shines through.
 
+use super::frame::Frame;
 use super::interiors::BodyId;
 use super::refract::Passage;
-use super::texture::{Frame, Layer};
+use super::texture::Layer;
 use super::{Path, Radiance, Tracer};
 use crate::color::{Rgb, Rgbft};
-use crate::geometry::{Hit, Looks, NodeId};
+use crate::geometry::{Hit, Looks};
 use crate::math::Vec3;
+use crate::pattern::SurfaceContext;
 use crate::prepare::Scene;
+use crate::texture::Pigment;
 
 /// What is fixed at a hit, whatever the texture.
 pub struct Spot<'a> {
@@ -19,8 +22,8 @@ pub struct Spot<'a> {
     pub point: Vec3,
     /// Unit normal on the ray's side.
     pub normal: Vec3,
-    /// The object hit.
-    pub node: NodeId,
+    /// The point and normals as patterns see them.
+    pub context: SurfaceContext,
     /// What the object wears.
     pub looks: &'a Looks,
     /// Whether the ray hits the surface from behind.
@@ -34,16 +37,33 @@ impl<'a> Spot<'a> {
     pub fn new(scene: &'a Scene, path: &'a Path, hit: &Hit) -> Spot<'a> {
         let surface = scene.geometry.surface(&path.ray, hit);
         let from_inside = surface.normal.dot(path.ray.direction) > 0.0;
+        let normal = if from_inside { -surface.normal } else { surface.normal };
         Spot {
             path,
             distance: hit.crossing.t,
             point: surface.point,
-            normal: if from_inside { -surface.normal } else { surface.normal },
-            node: hit.node,
+            normal,
+            context: SurfaceContext {
+                ray_direction: path.ray.direction,
+                geometric_normal: normal,
+                normal,
+                point: surface.point,
+                uv: if scene.uses_uv { scene.geometry.uv(hit, surface.point) } else { [0.0; 2] },
+            },
             looks: scene.geometry.looks(hit.node),
             from_inside,
             body: scene.body_of(hit.node),
         }
+    }
+
+    /// Where the outermost texture is asked.
+    pub fn frame(&self) -> Frame<'static> {
+        Frame::outermost(if self.looks.uv_mapping { self.context.uv_point() } else { self.point })
+    }
+
+    /// The texture of this side.
+    pub fn worn(&self) -> Option<u32> {
+        self.looks.interior_texture.filter(|_| self.from_inside).or(self.looks.texture)
     }
 }
 
@@ -69,12 +89,12 @@ impl Tracer<'_> {
                 break;
             }
             let finish = &layer.finish;
-            let normal = spot.normal;
+            let normal = layer.perturbed(spot, frame);
             if number == 0 {
                 top_normal = normal;
                 only_totally = self.is_totally_reflected(spot, normal, frame, layers);
             }
-            let color = self.pigment_color(layer, frame);
+            let color = layer.color(spot, frame, normal);
             let opacity = color.opacity();
             let mut own = color.rgb.mul_each(finish.ambient + finish.emission) * opacity;
             if finish.lit {
@@ -106,15 +126,33 @@ impl Tracer<'_> {
     }
 
     /// The share of light that passes layers.
-    pub(super) fn layers_filter(&mut self, _spot: &Spot, frame: &Frame, layers: &[Layer]) -> Rgb {
-        layers
-            .iter()
-            .fold(Rgb::WHITE, |filter, layer| filter.mul_each(passing(&self.pigment_color(layer, frame))))
+    pub(super) fn layers_filter(&mut self, spot: &Spot, frame: &Frame, layers: &[Layer]) -> Rgb {
+        layers.iter().fold(Rgb::WHITE, |filter, layer| {
+            filter.mul_each(passing(&layer.color(spot, frame, spot.normal)))
+        })
+    }
+}
+
+impl Layer {
+    /// The world's normal after this layer's bumps.
+    #[inline]
+    fn perturbed(&self, spot: &Spot, frame: &Frame) -> Vec3 {
+        match &self.normal {
+            None => spot.normal,
+            Some(bumps) => {
+                let normal = frame.normal_from_world(spot.normal);
+                frame.normal_to_world(bumps.perturb(frame.point, normal, &spot.context))
+            }
+        }
     }
 
-    /// The colour of a layer's pigment.
-    fn pigment_color(&self, layer: &Layer, _frame: &Frame) -> Rgbft {
-        layer.pigment
+    /// The colour of the pigment, which may look at the normal.
+    #[inline]
+    fn color(&self, spot: &Spot, frame: &Frame, normal: Vec3) -> Rgbft {
+        match &self.pigment {
+            Pigment::Solid(color) => *color,
+            pigment => pigment.color(frame.point, &SurfaceContext { normal, ..spot.context }),
+        }
     }
 }
 

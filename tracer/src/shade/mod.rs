@@ -2,6 +2,7 @@
 
 mod diffuse;
 mod finish;
+mod frame;
 mod highlight;
 mod interiors;
 mod layers;

@@ -1,10 +1,13 @@
-//! SDL: `texture { ... }`: which textures are seen at a hit, and how their light is mixed.
+//! SDL: `texture { ... }`, `texture_map`, texture lists: which textures are seen at a point, and how they are mixed.
 
+use super::frame::Frame;
 use super::layers::Spot;
 use super::{Finish, Path, Radiance, Tracer};
-use crate::color::{Rgb, Rgbft};
+use crate::color::Rgb;
 use crate::geometry::Hit;
-use crate::math::{Transform, Vec3};
+use crate::math::Transform;
+use crate::pattern::{Modifiers, Pattern};
+use crate::texture::{BlendMap, Normal, Pigment};
 
 /// Exponent of the cosine per unit of `caustics` (probed).
 const CAUSTIC_SHARPNESS: f64 = 45.0;
@@ -16,7 +19,9 @@ pub type TextureId = u32;
 #[derive(Clone, Debug)]
 pub struct Layer {
     /// Its colour.
-    pub pigment: Rgbft,
+    pub pigment: Pigment,
+    /// Its bumps.
+    pub normal: Option<Normal>,
     /// Its answer to light.
     pub finish: Finish,
 }
@@ -28,25 +33,49 @@ pub enum Texture {
     Layers(Box<[Layer]>),
     /// A texture that stands in a space of its own.
     Placed(Box<Transform>, TextureId),
+    /// A pattern mixes two neighbours of a map.
+    Map(Box<(Pattern, BlendMap<TextureId>)>),
+    /// A pattern picks one.
+    Blocks(Box<(Pattern, Vec<TextureId>)>),
+    /// All of them, by weight.
+    Average(Box<(Modifiers, Vec<(f64, TextureId)>)>),
 }
 
-/// A point in the space of a texture, and how it got there.
-#[derive(Clone, Copy)]
-pub struct Frame<'a> {
-    /// The point as patterns see it.
-    pub point: Vec3,
-    /// The step that led here, after those of the frame around.
-    step: Option<(&'a Frame<'a>, &'a Transform)>,
+/// The textures that a texture shows at a point: at most two, but for averages.
+enum Shown<'a> {
+    One(TextureId),
+    Two([(TextureId, f64); 2]),
+    All(&'a [(f64, TextureId)]),
 }
 
-impl<'a> Frame<'a> {
-    /// The world's.
-    pub fn world(point: Vec3) -> Frame<'a> {
-        Frame { point, step: None }
-    }
-
-    fn placed(&'a self, space: &'a Transform) -> Frame<'a> {
-        Frame { point: space.inverse_point(self.point), step: Some((self, space)) }
+impl Texture {
+    /// What is shown in place of a texture that is not made of layers, and where it is asked.
+    fn shown<'a>(&'a self, spot: &Spot, frame: &'a Frame<'a>) -> (Shown<'a>, Frame<'a>) {
+        match self {
+            Texture::Layers(_) => unreachable!("layers show themselves"),
+            Texture::Placed(space, inner) => (Shown::One(*inner), frame.placed(space)),
+            Texture::Map(map) => {
+                let (pattern, map) = &**map;
+                let (value, point) = pattern.value_and_place(frame.point, &spot.context);
+                let (&low, &high, share) = map.around(value);
+                let shown = if share == 0.0 {
+                    Shown::One(low)
+                } else {
+                    Shown::Two([(high, share), (low, 1.0 - share)])
+                };
+                (shown, frame.warped(&pattern.modifiers, point))
+            }
+            Texture::Blocks(blocks) => {
+                let (pattern, textures) = &**blocks;
+                let (number, point) = pattern.block_and_place(frame.point, &spot.context);
+                (Shown::One(textures[number % textures.len()]), frame.warped(&pattern.modifiers, point))
+            }
+            Texture::Average(average) => {
+                let (modifiers, textures) = &**average;
+                let point = modifiers.locate(frame.point, &spot.context, false);
+                (Shown::All(textures), frame.warped(modifiers, point))
+            }
+        }
     }
 }
 
@@ -55,11 +84,9 @@ impl Tracer<'_> {
     pub(super) fn surface_light(&mut self, path: &Path, hit: &Hit, weight: f64) -> Radiance {
         let scene = self.scene;
         let spot = Spot::new(scene, path, hit);
-        let looks = scene.geometry.looks(hit.node);
-        let frame = Frame::world(spot.point);
-        if !looks.several_textures {
-            let worn = looks.interior_texture.filter(|_| spot.from_inside).or(looks.texture);
-            return self.texture_light(&spot, &frame, scene.dress(worn), weight);
+        let frame = spot.frame();
+        if !spot.looks.several_textures {
+            return self.texture_light(&spot, &frame, scene.dress(spot.worn()), weight);
         }
         let mut weights = std::mem::take(&mut self.weights);
         scene.geometry.texture_weights(hit, spot.point, &mut weights);
@@ -75,24 +102,72 @@ impl Tracer<'_> {
 
     /// Light of one texture.
     fn texture_light(&mut self, spot: &Spot, frame: &Frame, texture: TextureId, weight: f64) -> Radiance {
-        let scene = self.scene;
-        match &scene.textures[texture as usize] {
-            Texture::Layers(layers) => self.layers_light(spot, frame, layers, weight),
-            Texture::Placed(space, inner) => self.texture_light(spot, &frame.placed(space), *inner, weight),
+        let texture = &self.scene.textures[texture as usize];
+        if let Texture::Layers(layers) = texture {
+            return self.layers_light(spot, frame, layers, weight);
         }
+        let (shown, frame) = texture.shown(spot, frame);
+        let mut seen = Radiance::BLACK;
+        match shown {
+            Shown::One(inner) => return self.texture_light(spot, &frame, inner, weight),
+            Shown::Two(two) => {
+                for (inner, share) in two {
+                    seen.add_scaled(&self.texture_light(spot, &frame, inner, weight * share), share);
+                }
+            }
+            Shown::All(all) => {
+                let total: f64 = all.iter().map(|e| e.0).sum();
+                for &(share, inner) in all {
+                    let share = share / total;
+                    seen.add_scaled(&self.texture_light(spot, &frame, inner, weight * share), share);
+                }
+            }
+        }
+        seen
     }
-}
 
-impl Tracer<'_> {
     /// The share of light that passes a surface, for shadows.
     pub(super) fn surface_filter(&mut self, path: &Path, hit: &Hit) -> Rgb {
         let scene = self.scene;
         let spot = Spot::new(scene, path, hit);
-        let looks = scene.geometry.looks(hit.node);
-        let frame = Frame::world(spot.point);
-        let worn = looks.interior_texture.filter(|_| spot.from_inside).or(looks.texture);
-        let filter = self.texture_filter(&spot, &frame, scene.dress(worn));
+        let frame = spot.frame();
+        let filter = if spot.looks.several_textures {
+            let mut weights = std::mem::take(&mut self.weights);
+            scene.geometry.texture_weights(hit, spot.point, &mut weights);
+            let mut filter = Rgb::BLACK;
+            for &(worn, share) in &weights {
+                filter += self.texture_filter(&spot, &frame, scene.dress(worn)) * share;
+            }
+            self.weights = weights;
+            filter
+        } else {
+            self.texture_filter(&spot, &frame, scene.dress(spot.worn()))
+        };
         filter.mul_each(scene.shadow_attenuation(&spot)) * self.caustic(&spot)
+    }
+
+    fn texture_filter(&mut self, spot: &Spot, frame: &Frame, texture: TextureId) -> Rgb {
+        let texture = &self.scene.textures[texture as usize];
+        if let Texture::Layers(layers) = texture {
+            return self.layers_filter(spot, frame, layers);
+        }
+        let (shown, frame) = texture.shown(spot, frame);
+        let mut filter = Rgb::BLACK;
+        match shown {
+            Shown::One(inner) => return self.texture_filter(spot, &frame, inner),
+            Shown::Two(two) => {
+                for (inner, share) in two {
+                    filter += self.texture_filter(spot, &frame, inner) * share;
+                }
+            }
+            Shown::All(all) => {
+                let total: f64 = all.iter().map(|e| e.0).sum();
+                for &(share, inner) in all {
+                    filter += self.texture_filter(spot, &frame, inner) * (share / total);
+                }
+            }
+        }
+        filter
     }
 
     /// `caustics F`: light gathers where it goes straight through a surface.
@@ -103,14 +178,6 @@ impl Tracer<'_> {
                 1.0 + cos.powf(CAUSTIC_SHARPNESS * interior.caustics)
             }
             _ => 1.0,
-        }
-    }
-
-    fn texture_filter(&mut self, spot: &Spot, frame: &Frame, texture: TextureId) -> Rgb {
-        let scene = self.scene;
-        match &scene.textures[texture as usize] {
-            Texture::Layers(layers) => self.layers_filter(spot, frame, layers),
-            Texture::Placed(space, inner) => self.texture_filter(spot, &frame.placed(space), *inner),
         }
     }
 }

@@ -35,6 +35,18 @@ impl Pigment {
         }
     }
 
+    /// Whether nothing is seen through it anywhere.
+    pub fn is_opaque(&self) -> bool {
+        let opaque = |color: &Rgbft| color.filter == 0.0 && color.transmit == 0.0;
+        match self {
+            Pigment::Solid(color) => opaque(color),
+            Pigment::Colors(node) => node.1.entries().iter().all(|e| opaque(&e.1)),
+            Pigment::Pigments(node) => node.1.entries().iter().all(|e| e.1.is_opaque()),
+            Pigment::Blocks(node) => node.1.iter().all(Pigment::is_opaque),
+            Pigment::Average(node) => node.1.iter().all(|e| e.1.is_opaque()),
+        }
+    }
+
     /// The colour at `p`.
     pub fn color(&self, p: Vec3, surface: &SurfaceContext) -> Rgbft {
         match self {
