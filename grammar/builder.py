@@ -97,7 +97,8 @@ class Builder(Transformer[Token, Any]):
         return tree.Paren(c[0].line, c[0].column, c[1])
 
     def group(self, c: Children) -> Any:
-        return tree.Group(c[0].line, c[0].column, _items(c[1:-1]))
+        items = [self.punctuation([child]) if isinstance(child, Token) else child for child in c[1:-1]]
+        return tree.Group(c[0].line, c[0].column, _items(items))
 
     def member_name(self, c: Children) -> Any:
         return str(c[0])

@@ -96,7 +96,7 @@ class Paren(Node):
 
 @dataclass(frozen=True, slots=True)
 class Group(Node):
-    """``( ... )`` with directives inside, such as ``(#if (A) 1 #else 2 #end)``; worth what its items leave."""
+    """``( ... )`` with directives or commas inside: ``(#if (A) 1 #else 2 #end)``; worth what its items leave."""
 
     items: tuple[Item, ...]
 
