@@ -7,10 +7,13 @@ pub mod camera;
 pub mod finish;
 #[cfg(feature = "python")]
 mod from_python;
+pub mod function;
+pub mod image;
 pub mod interior;
 pub mod light;
+pub mod normal;
 pub mod objects;
-mod pending;
+pub mod pattern;
 pub mod pigment;
 pub mod scene;
 pub mod settings;
@@ -18,11 +21,12 @@ pub mod shapes;
 mod shared;
 pub mod texture;
 mod values;
+pub mod warp;
 
+pub use function::Function;
 pub use interior::Interior;
 pub use light::LightSource;
 pub use objects::{Modifiers, Object, PhotonBehaviour, Shape};
-pub use pending::{image, normal, pattern, warp, Function};
 pub use shared::{Shared, Unsupported};
 pub use texture::Texture;
 pub use values::{Vec2, Vec4};

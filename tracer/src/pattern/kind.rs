@@ -12,10 +12,12 @@ pub enum PatternKind {
         agate_turb: f64,
     },
     Aoi,
+    /// Has no value of its own: its map is a mean.
+    Average,
     Boxed,
-    /// `bozo`, `spotted`, `bumps`.
     Bozo,
     Brick(Brick),
+    Bumps,
     Cells,
     Checker,
     Crackle(Crackle),
@@ -38,6 +40,7 @@ pub enum PatternKind {
     Ripples(WaveSources),
     Slope(Slope),
     Spherical,
+    Spotted,
     Spiral1 {
         arms: f64,
     },
@@ -45,6 +48,7 @@ pub enum PatternKind {
         arms: f64,
     },
     Square,
+    Triangular,
     Waves(WaveSources),
     Wood,
     Wrinkles,
@@ -58,8 +62,9 @@ impl PatternKind {
         match self {
             PatternKind::Agate { agate_turb } => noisy::agate(p, *agate_turb, modifiers),
             PatternKind::Aoi => surface::angle_of_incidence(surface),
+            PatternKind::Average => 0.0,
             PatternKind::Boxed => shells::fading(shells::chebyshev(p)),
-            PatternKind::Bozo => generator.noise(p),
+            PatternKind::Bozo | PatternKind::Bumps | PatternKind::Spotted => generator.noise(p),
             PatternKind::Brick(brick) => brick.value(p),
             PatternKind::Cells => cells::cells(p),
             PatternKind::Checker => blocks::checker(p),
@@ -82,6 +87,7 @@ impl PatternKind {
             PatternKind::Spiral1 { arms } => spirals::spiral1(p, *arms, modifiers),
             PatternKind::Spiral2 { arms } => spirals::spiral2(p, *arms, modifiers),
             PatternKind::Square => blocks::square(p),
+            PatternKind::Triangular => blocks::triangular(p),
             PatternKind::Waves(sources) => sources.waves(p, &modifiers.waveform),
             PatternKind::Wood => shells::wood(p, modifiers),
             PatternKind::Wrinkles => noisy::wrinkles(p, generator),
@@ -107,6 +113,7 @@ impl PatternKind {
                 | PatternKind::Cubic
                 | PatternKind::Hexagon
                 | PatternKind::Square
+                | PatternKind::Triangular
         )
     }
 

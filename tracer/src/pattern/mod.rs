@@ -3,6 +3,7 @@
 //! A point passes the modifiers' warps, the pattern gives a raw value, the waveform shapes it.
 
 mod blocks;
+mod build;
 mod cells;
 mod crackle;
 mod kind;

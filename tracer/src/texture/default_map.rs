@@ -51,7 +51,7 @@ pub fn block_colors(kind: &PatternKind) -> Vec<Rgbft> {
         PatternKind::Brick(_) => &[GRAY, BRICK_RED],
         PatternKind::Hexagon => &[BLUE, GREEN, RED],
         PatternKind::Square => &[RED, GREEN, BLUE, YELLOW],
-        PatternKind::Cubic => &[RED, GREEN, BLUE, YELLOW, CYAN, MAGENTA],
+        PatternKind::Cubic | PatternKind::Triangular => &[RED, GREEN, BLUE, YELLOW, CYAN, MAGENTA],
         _ => &[BLUE, GREEN],
     };
     colors.iter().map(|&c| opaque(c)).collect()

@@ -27,8 +27,7 @@ impl Pigment {
     /// A pattern with the map that it has by default.
     pub fn with_default_map(pattern: Pattern) -> Pigment {
         if pattern.kind.is_blocks() {
-            let colors = default_map::block_colors(&pattern.kind);
-            Pigment::Blocks(Arc::new((pattern, colors.into_iter().map(Pigment::Solid).collect())))
+            Pigment::blocks(pattern, Vec::new())
         } else {
             let map = default_map::color_map(&pattern.kind);
             Pigment::Colors(Arc::new((pattern, map)))
@@ -45,6 +44,13 @@ impl Pigment {
             Pigment::Blocks(node) => node.1.iter().all(Pigment::is_opaque),
             Pigment::Average(node) => node.1.iter().all(|e| e.1.is_opaque()),
         }
+    }
+
+    /// A block pattern with the first of its pigments; the others are its default colours.
+    pub fn blocks(pattern: Pattern, mut pigments: Vec<Pigment>) -> Pigment {
+        let defaults = default_map::block_colors(&pattern.kind).into_iter().map(Pigment::Solid);
+        pigments.extend(defaults.skip(pigments.len()));
+        Pigment::Blocks(Arc::new((pattern, pigments)))
     }
 
     /// The colour at `p`.

@@ -1,6 +1,7 @@
 //! SDL: `warp { ... }` and transforms: from a point to the point that a pattern is asked at.
 
 mod black_hole;
+mod build;
 mod mapping;
 mod repeat;
 

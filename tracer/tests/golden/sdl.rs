@@ -101,7 +101,9 @@ fn kind(words: &mut Words) -> PatternKind {
         },
         "aoi" => PatternKind::Aoi,
         "boxed" => PatternKind::Boxed,
-        "bozo" | "spotted" | "bumps" => PatternKind::Bozo,
+        "bozo" => PatternKind::Bozo,
+        "bumps" => PatternKind::Bumps,
+        "spotted" => PatternKind::Spotted,
         "brick" => {
             let mut brick = Brick::default();
             if words.option("brick_size") {

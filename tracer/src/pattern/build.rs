@@ -1,0 +1,119 @@
+//! From the scene graph's patterns to those that are evaluated.
+
+use super::{Brick, Crackle, Modifiers, Pattern, PatternKind, Slope, TurbulenceModifier, Wave, Waveform};
+use crate::graph::pattern as graph;
+use crate::graph::pattern::{SimpleKind, WaveKind};
+use crate::noise::NoiseGenerator;
+use crate::texture::Builder;
+use crate::warp::Warp;
+
+/// As precise as POV-Ray keeps the parameters of some patterns.
+fn single(v: f64) -> f64 {
+    f64::from(v as f32)
+}
+
+impl Builder {
+    /// A pattern with its modifiers; None for one that cannot be evaluated yet, which is noted.
+    pub fn pattern(&mut self, node: &graph::Pattern, modifiers: &graph::PatternModifiers) -> Option<Pattern> {
+        let kind = self.pattern_kind(node)?;
+        let modifiers = self.modifiers(modifiers, kind.own_wave());
+        Some(Pattern { kind, modifiers })
+    }
+
+    fn modifiers(&self, node: &graph::PatternModifiers, own_wave: Wave) -> Modifiers {
+        let wave = match node.wave {
+            None => own_wave,
+            Some(WaveKind::Ramp) => Wave::Ramp,
+            Some(WaveKind::Triangle) => Wave::Triangle,
+            Some(WaveKind::Sine) => Wave::Sine,
+            Some(WaveKind::Scallop) => Wave::Scallop,
+            Some(WaveKind::Cubic) => Wave::Cubic,
+            Some(WaveKind::Poly) => Wave::Poly(node.poly_exponent),
+        };
+        Modifiers {
+            warps: node.warps.iter().map(Warp::from).collect(),
+            turbulence: node.turbulence.as_ref().map(TurbulenceModifier::from),
+            waveform: Waveform::new(node.frequency, node.phase, wave),
+            noise_generator: node.noise_generator.map_or(self.noise_generator, NoiseGenerator::from_number),
+            uv_mapping: node.uv_mapping,
+        }
+    }
+
+    fn pattern_kind(&mut self, node: &graph::Pattern) -> Option<PatternKind> {
+        Some(match node {
+            graph::Pattern::Simple(simple) => self.simple_kind(simple.name),
+            graph::Pattern::Agate(agate) => PatternKind::Agate { agate_turb: single(agate.agate_turb) },
+            graph::Pattern::Brick(brick) => {
+                PatternKind::Brick(Brick { brick_size: brick.brick_size, mortar: brick.mortar })
+            }
+            graph::Pattern::Crackle(c) => PatternKind::Crackle(Crackle {
+                form: c.form,
+                metric: c.metric,
+                offset: c.offset,
+                solid: c.solid,
+            }),
+            graph::Pattern::Gradient(gradient) => PatternKind::Gradient(gradient.direction.normalized()),
+            graph::Pattern::Quilted(quilted) => PatternKind::Quilted {
+                control0: single(quilted.control0),
+                control1: single(quilted.control1),
+            },
+            graph::Pattern::Slope(slope) => PatternKind::Slope(Slope {
+                direction: slope.direction,
+                low: slope.low,
+                high: slope.high,
+                point_at: slope.point_at,
+                altitude: slope.altitude.map(|v| (v, slope.altitude_low, slope.altitude_high)),
+            }),
+            graph::Pattern::Spiral(spiral) => match spiral.kind {
+                1 => PatternKind::Spiral1 { arms: spiral.arms as f64 },
+                _ => PatternKind::Spiral2 { arms: spiral.arms as f64 },
+            },
+            graph::Pattern::DensityFile(_) => return self.no_pattern("density_file"),
+            graph::Pattern::Facets(_) => return self.no_pattern("facets"),
+            graph::Pattern::Function(_) => return self.no_pattern("function"),
+            graph::Pattern::ImageMap(_) => return self.no_pattern("image_map"),
+            graph::Pattern::ImagePattern(_) => return self.no_pattern("image_pattern"),
+            graph::Pattern::Fractal(_) => return self.no_pattern("fractal pattern"),
+            graph::Pattern::Object(_) => return self.no_pattern("object pattern"),
+            graph::Pattern::Pavement(_) => return self.no_pattern("pavement"),
+            graph::Pattern::PigmentPattern(_) => return self.no_pattern("pigment_pattern"),
+            graph::Pattern::Potential(_) => return self.no_pattern("potential"),
+            graph::Pattern::Tiling(_) => return self.no_pattern("tiling"),
+        })
+    }
+
+    fn no_pattern(&mut self, feature: &str) -> Option<PatternKind> {
+        self.leave_out(feature);
+        None
+    }
+
+    fn simple_kind(&self, kind: SimpleKind) -> PatternKind {
+        match kind {
+            SimpleKind::Aoi => PatternKind::Aoi,
+            SimpleKind::Average => PatternKind::Average,
+            SimpleKind::Boxed => PatternKind::Boxed,
+            SimpleKind::Bozo => PatternKind::Bozo,
+            SimpleKind::Bumps => PatternKind::Bumps,
+            SimpleKind::Spotted => PatternKind::Spotted,
+            SimpleKind::Cells => PatternKind::Cells,
+            SimpleKind::Checker => PatternKind::Checker,
+            SimpleKind::Cubic => PatternKind::Cubic,
+            SimpleKind::Cylindrical => PatternKind::Cylindrical,
+            SimpleKind::Dents => PatternKind::Dents,
+            SimpleKind::Granite => PatternKind::Granite,
+            SimpleKind::Hexagon => PatternKind::Hexagon,
+            SimpleKind::Leopard => PatternKind::Leopard,
+            SimpleKind::Marble => PatternKind::Marble,
+            SimpleKind::Onion => PatternKind::Onion,
+            SimpleKind::Planar => PatternKind::Planar,
+            SimpleKind::Radial => PatternKind::Radial,
+            SimpleKind::Ripples => PatternKind::Ripples(self.wave_sources.clone()),
+            SimpleKind::Spherical => PatternKind::Spherical,
+            SimpleKind::Square => PatternKind::Square,
+            SimpleKind::Triangular => PatternKind::Triangular,
+            SimpleKind::Waves => PatternKind::Waves(self.wave_sources.clone()),
+            SimpleKind::Wood => PatternKind::Wood,
+            SimpleKind::Wrinkles => PatternKind::Wrinkles,
+        }
+    }
+}
