@@ -47,6 +47,8 @@ def explain(error: UnexpectedInput, text: str, path: str) -> SdlSyntaxError:
 def _hint(token: Token, expected: set[str]) -> str | None:
     if token.type in {"WORD", "CONSTANT", "FUNCTION", "UNARY_FUNCTION", "RGB"} and "NAME" in expected:
         return f"'{token}' is a reserved word; a name with a capital letter never is"
+    if token.type == "MORE":
+        return "a '<' after a value compares; put a comma before a vector"
     if token.type == "NAME" and (close := get_close_matches(token, KEYWORDS, 1)):
         return f"did you mean '{close[0]}'?"
     return None
@@ -71,6 +73,17 @@ def _open_at(text: str, stop: int | None) -> list[Token]:
     return stack
 
 
+def _bare_comparison(text: str) -> Token | None:
+    """The first ``<`` after a value and outside parentheses, which the parser takes for the start of a vector."""
+    depth, previous = 0, ""
+    for token in tokenize(text):
+        depth += {"LPAR": 1, "RPAR": -1}.get(token.type, 0)
+        if token.type == "LESS" and previous in _OPERAND_ENDS and depth == 0:
+            return token
+        previous = token.type
+    return None
+
+
 def _innermost(text: str, token: Token) -> Token | None:
     stack = _open_at(text, token.start_pos)
     return stack[-1] if stack else None
@@ -78,6 +91,10 @@ def _innermost(text: str, token: Token) -> Token | None:
 
 def _unclosed(text: str, path: str) -> SdlSyntaxError:
     stack = _open_at(text, None)
+    if not stack and (less := _bare_comparison(text)):
+        message = "this '<' opens a vector that is never closed"
+        hint = "a comparison stands in parentheses: (A < B)"
+        return SdlSyntaxError(message, path, less.line or 0, less.column or 0, hint)
     if not stack:
         last = text.count("\n") + 1
         return SdlSyntaxError("the file ends in the middle of a statement", path, last, 1)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from difflib import get_close_matches
 from typing import Any, Final
 
 import numpy as np
@@ -153,7 +154,9 @@ def tokenize(text: str, path: str = "") -> Iterator[Token]:
 def _directive(value: str, path: str, line: int, column: int) -> str:
     word = value[1:].lstrip()
     if word not in DIRECTIVES:
-        raise SdlSyntaxError(f"unknown directive '#{word}'", path, line, column)
+        close = get_close_matches(word, DIRECTIVES, 1)
+        hint = f"did you mean '#{close[0]}'?" if close else None
+        raise SdlSyntaxError(f"unknown directive '#{word}'", path, line, column, hint)
     return word.upper()
 
 

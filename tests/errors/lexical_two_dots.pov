@@ -1,4 +1,4 @@
 // A number with two dots
-// error: 4:17
+// error: 4:14 '1.5.x'
 #version 3.7;
 #declare A = 1.5.x;

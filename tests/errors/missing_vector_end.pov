@@ -1,4 +1,4 @@
 // A vector that is never closed
-// error: 4:18 >
+// error: 4:22 '>'
 #version 3.7;
 sphere { <0, 0, 0; 1 }

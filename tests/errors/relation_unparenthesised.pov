@@ -1,4 +1,5 @@
 // A comparison without parentheses
-// error: 4:16
+// error: 5:16 '<'
+// hint: parentheses
 #version 3.7;
 #declare A = 1 < 2;

@@ -1,5 +1,6 @@
 // #if without #end
-// error: 4:1 #end
+// error: 5:1 '#if' is never closed
+// hint: #end
 #version 3.7;
 #if (1)
 sphere { 0, 1 }

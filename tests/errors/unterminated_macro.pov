@@ -1,5 +1,6 @@
 // #macro without #end
-// error: 4:1 #end
+// error: 5:1 '#macro' is never closed
+// hint: #end
 #version 3.7;
 #macro M(A)
 sphere { 0, A }

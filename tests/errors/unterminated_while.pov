@@ -1,5 +1,6 @@
 // #while without #end
-// error: 4:1 #end
+// error: 5:1 '#while' is never closed
+// hint: #end
 #version 3.7;
 #while (0)
 sphere { 0, 1 }
