@@ -142,4 +142,6 @@ def sky_sphere(reader: ItemReader, context: Context, sink: Sink) -> SkySphere:
             result = replace(result, emission=reader.rgb())
         else:
             unexpected(reader, SKY_ACCEPTS)
+    if not result.pigments:
+        reader.fail("a pigment")
     return result

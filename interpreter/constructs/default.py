@@ -11,7 +11,7 @@ from minipov.interpreter.items import Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.camera import Camera
-from minipov.tracer.texture import LayeredTexture, PlainTexture
+from minipov.tracer.texture import PlainTexture
 
 ACCEPTS: Final = ("texture", "pigment", "normal", "finish", "radiosity", "camera")
 
@@ -26,8 +26,8 @@ def default(reader: ItemReader, context: Context, sink: Sink) -> None:
     while not reader.at_end:
         texture = reader.node(TEXTURE_TYPES)
         if texture is not None:
-            if not isinstance(texture, PlainTexture | LayeredTexture):
-                reader.fail("a plain texture as the default")
+            if not isinstance(texture, PlainTexture):
+                reader.fail("a plain texture as the default", "no layers, no patterns of textures")
             context.default_texture = texture
             continue
         changed = modified_texture(reader, context, context.default_texture)

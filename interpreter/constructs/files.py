@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Final
 
+from minipov.interpreter.constructs.scene import working_gamma
 from minipov.interpreter.context import Context
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.reader import ItemReader
@@ -51,6 +52,6 @@ def image(reader: ItemReader, context: Context, path: Path, kind: str, *, gamma:
     if load is None:
         raise SdlError(f"{reader.name}: this run has no reader of image files", reader.place)
     try:
-        return load(path, kind, gamma=gamma, raw=raw, working=context.scene.settings.assumed_gamma)
+        return load(path, kind, gamma=gamma, raw=raw, working=working_gamma(context))
     except OSError as error:
         raise SdlError(f"{reader.name}: cannot read '{path}': {error}", reader.place) from error

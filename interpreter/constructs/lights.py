@@ -16,6 +16,7 @@ from minipov.interpreter.constructs.common import (
     switch,
     unexpected,
 )
+from minipov.interpreter.constructs.modifiers import MODIFIERS, read_modifiers
 from minipov.interpreter.constructs.transforms import TRANSFORM_WORDS, read_transform
 from minipov.interpreter.context import Context
 from minipov.interpreter.items import Block, Sink
@@ -24,6 +25,7 @@ from minipov.interpreter.registry import construct
 from minipov.tracer.lights import AreaLight, LightPhotons, LightSource
 from minipov.tracer.objects import Object
 from minipov.tracer.transform import Transform
+from minipov.tracer.values import BLACK
 
 LIGHT_FIELDS: Final[dict[str, Field]] = {
     "shadowless": switch("shadowless"),
@@ -64,19 +66,31 @@ CYLINDER_RADII: Final = (0.75, 1.0)
     accepts=ACCEPTS,
 )
 def light_source(reader: ItemReader, context: Context, sink: Sink) -> LightSource:
-    light = reader.node(LightSource)
-    if light is None:
-        location = reader.vector()
-        reader.comma()
-        light = LightSource(location, reader.rgb())
+    light = reader.node(LightSource) or _plain_light(reader, context)
+    area: dict[str, Any] = {}
     while not reader.at_end:
+        fields = read_fields(reader, AREA_FIELDS)
+        if fields is not None:
+            area.update(fields)
+            continue
         changed = _modified(reader, context, light)
         if changed is None:
             unexpected(reader, ACCEPTS)
         light = changed
-    if light.area is not None:
-        _check_area(light.area, reader)
-    return light
+    if light.area is None:
+        return light
+    grid = replace(light.area, **area)
+    _check_area(grid, reader)
+    return replace(light, area=grid)
+
+
+def _plain_light(reader: ItemReader, context: Context) -> LightSource:
+    place, location = reader.place, reader.vector()
+    reader.comma()
+    if reader.is_number() or reader.is_color():
+        return LightSource(location, reader.rgb())
+    context.messages.warn("light_source without a colour: black", place)
+    return LightSource(location, BLACK)
 
 
 def _modified(reader: ItemReader, context: Context, light: LightSource) -> LightSource | None:
@@ -97,10 +111,6 @@ def _modified(reader: ItemReader, context: Context, light: LightSource) -> Light
         return replace(light, kind="cylinder", radius=CYLINDER_RADII[0], falloff=CYLINDER_RADII[1])
     if reader.word("area_light"):
         return replace(light, area=_area_light(reader, light.area))
-    if light.area is not None:
-        fields = read_fields(reader, AREA_FIELDS)
-        if fields is not None:
-            return replace(light, area=replace(light.area, **fields))
     return _with_block(reader, light)
 
 
@@ -143,27 +153,23 @@ def _single_object(reader: ItemReader) -> Object:
 
 @construct(
     "looks_like",
-    signature="object",
+    signature="object [modifiers]",
     doc="What a light looks like; moved to the light, and without shadow.",
+    accepts=MODIFIERS,
 )
 def looks_like(reader: ItemReader, context: Context, sink: Sink) -> Block:
-    thing = _single_object(reader)
-    while not reader.at_end:
-        transform = read_transform(reader, context)
-        if transform is None:
-            unexpected(reader, TRANSFORM_WORDS)
-        thing = thing.transformed(transform)
-    if thing.texture is None:
-        thing = replace(thing, texture=context.default_texture)
+    thing = read_modifiers(reader, context, _single_object(reader))
     return Block("looks_like", replace(thing, modifiers=replace(thing.modifiers, no_shadow=True)))
 
 
-@construct("projected_through", signature="object", doc="Only light that passes this object counts.")
+@construct(
+    "projected_through",
+    signature="object [modifiers]",
+    doc="Only light that passes this object counts.",
+    accepts=MODIFIERS,
+)
 def projected_through(reader: ItemReader, context: Context, sink: Sink) -> Block:
-    thing = _single_object(reader)
-    if not reader.at_end:
-        unexpected(reader, ())
-    return Block("projected_through", thing)
+    return Block("projected_through", read_modifiers(reader, context, _single_object(reader)))
 
 
 @construct(

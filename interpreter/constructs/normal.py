@@ -27,7 +27,7 @@ from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.normal import Normal, NormalList, NormalMap, SlopeMap
 from minipov.tracer.pattern import Pattern
-from minipov.tracer.texture import LayeredTexture, PlainTexture
+from minipov.tracer.texture import PlainTexture
 
 MAPS: Final[tuple[type[SlopeMap | NormalMap], ...]] = (SlopeMap, NormalMap)
 ACCEPTS: Final = (
@@ -42,8 +42,6 @@ SMOOTH: Final = Normal(None)
 def default_normal(context: Context) -> Normal:
     """The normal of the default texture: what every normal block starts from."""
     default = context.default_texture
-    if isinstance(default, LayeredTexture):
-        default = default.layers[-1]
     return (default.normal if isinstance(default, PlainTexture) else None) or SMOOTH
 
 

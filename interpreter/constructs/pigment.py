@@ -30,7 +30,7 @@ from minipov.interpreter.registry import construct
 from minipov.tracer.function import Function
 from minipov.tracer.pattern import ImageMap, Pattern, PigmentPattern
 from minipov.tracer.pigment import ColorMap, Pigment, PigmentList, PigmentMap, UserDefinedPigment
-from minipov.tracer.texture import LayeredTexture, PlainTexture
+from minipov.tracer.texture import PlainTexture
 
 MAPS: Final[tuple[type[ColorMap | PigmentMap], ...]] = (ColorMap, PigmentMap)
 ACCEPTS: Final = (
@@ -57,8 +57,6 @@ DEFAULT_BLOCK_COLORS: Final = {
 def default_pigment(context: Context) -> Pigment:
     """The pigment of the default texture: what every pigment block starts from."""
     default = context.default_texture
-    if isinstance(default, LayeredTexture):
-        default = default.layers[-1]
     return default.pigment if isinstance(default, PlainTexture) else Pigment()
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Literal
 
 from minipov.interpreter.constructs.common import number, read_fields
-from minipov.interpreter.constructs.shape import NOTHING, shape
+from minipov.interpreter.constructs.shape import shape
 from minipov.interpreter.context import Context
+from minipov.interpreter.errors import SdlError
 from minipov.interpreter.reader import ItemReader
 from minipov.tracer.objects import Shape
 from minipov.tracer.shapes import (
@@ -38,8 +39,7 @@ def cylinder(reader: ItemReader, context: Context) -> Shape:
     place = reader.place
     base, cap, radius = reader.vector(), reader.vector(), reader.float()
     if base == cap:
-        context.messages.warn("degenerate cylinder: its ends are the same point", place)
-        return NOTHING
+        raise SdlError("degenerate cylinder: its ends are the same point", place)
     return Cylinder(base, cap, radius)
 
 
@@ -53,8 +53,7 @@ def cone(reader: ItemReader, context: Context) -> Shape:
     place = reader.place
     base, base_radius, cap, cap_radius = reader.vector(), reader.float(), reader.vector(), reader.float()
     if base == cap:
-        context.messages.warn("degenerate cone: its ends are the same point", place)
-        return NOTHING
+        raise SdlError("degenerate cone: its ends are the same point", place)
     if abs(base_radius - cap_radius) < 1e-10:
         return Cylinder(base, cap, base_radius)
     return Cone(base, base_radius, cap, cap_radius)
@@ -67,8 +66,7 @@ def plane(reader: ItemReader, context: Context) -> Shape:
     place = reader.place
     normal, distance = reader.vector(), reader.float()
     if normal == (0.0, 0.0, 0.0):
-        context.messages.warn("degenerate plane: its normal has no length", place)
-        return NOTHING
+        raise SdlError("degenerate plane: its normal has no length", place)
     return Plane(normal, distance)
 
 

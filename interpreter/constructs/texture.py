@@ -65,10 +65,10 @@ def layers(texture: PlainTexture | LayeredTexture) -> tuple[PlainTexture, ...]:
     return texture.layers if isinstance(texture, LayeredTexture) else (texture,)
 
 
-def default_texture(context: Context) -> PlainTexture | LayeredTexture:
+def default_texture(context: Context) -> PlainTexture:
     """The default texture of the moment."""
     default = context.default_texture
-    return default if isinstance(default, PlainTexture | LayeredTexture) else PlainTexture()
+    return default if isinstance(default, PlainTexture) else PlainTexture()
 
 
 def modified_texture(reader: ItemReader, context: Context, texture: Texture | None) -> Texture | None:

@@ -27,7 +27,8 @@ def instantiate(item: Item, place: Place, context: Context) -> None:
         case Object() as thing:
             scene.objects.append(dressed(thing, context))
         case LightSource() as light:
-            scene.lights.append(light)
+            looks = light.looks_like
+            scene.lights.append(replace(light, looks_like=looks and dressed(looks, context)))
         case Camera() as camera:
             scene.camera = camera
         case Fog() as fog:
