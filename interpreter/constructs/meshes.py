@@ -132,7 +132,12 @@ def mesh_triangle(reader: ItemReader, context: Context, sink: Sink) -> Block:
 )
 def mesh_smooth_triangle(reader: ItemReader, context: Context, sink: Sink) -> Block:
     a, na, b, nb, c, nc = (reader.vector() for _ in range(6))
-    return _facet(reader, context, (a, b, c), (na, nb, nc))
+    return _facet(reader, context, (a, b, c), (_usable(na), _usable(nb), _usable(nc)))
+
+
+def _usable(normal: Vec3) -> Vec3:
+    """A normal of no length becomes x, as in POV-Ray."""
+    return normal if any(normal) else (1.0, 0.0, 0.0)
 
 
 def _facet(

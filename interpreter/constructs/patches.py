@@ -19,10 +19,24 @@ SMALLEST_AREA: Final = 1e-10
 
 def is_degenerate(a: Vec3, b: Vec3, c: Vec3) -> bool:
     """Whether three points lie on one line."""
+    return sqrt(_dot(_face_normal(a, b, c), _face_normal(a, b, c))) < SMALLEST_AREA
+
+
+def is_lopsided(corners: tuple[Vec3, Vec3, Vec3], normals: tuple[Vec3, Vec3, Vec3]) -> bool:
+    """Whether the normals of a smooth triangle point to different sides of its plane; POV-Ray leaves such a one out."""
+    face = _face_normal(*corners)
+    sides = [_dot(face, normal) for normal in normals]
+    return not (min(sides) > 0.0 or max(sides) < 0.0)
+
+
+def _face_normal(a: Vec3, b: Vec3, c: Vec3) -> Vec3:
     u = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
     v = (c[0] - a[0], c[1] - a[1], c[2] - a[2])
-    x, y, z = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
-    return sqrt(x * x + y * y + z * z) < SMALLEST_AREA
+    return (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+
+
+def _dot(a: Vec3, b: Vec3) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 @shape("triangle", signature="corner, corner, corner", doc="A flat triangle.")
@@ -43,7 +57,7 @@ def triangle(reader: ItemReader, context: Context) -> Shape:
 def smooth_triangle(reader: ItemReader, context: Context) -> Shape:
     place = reader.place
     a, na, b, nb, c, nc = (reader.vector() for _ in range(6))
-    if is_degenerate(a, b, c):
+    if is_degenerate(a, b, c) or is_lopsided((a, b, c), (na, nb, nc)):
         context.messages.warn("degenerate triangle: left out", place)
         return NOTHING
     return SmoothTriangle(a, na, b, nb, c, nc)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from math import dist
+from typing import Final, Literal
 
 from minipov.interpreter.constructs.common import number, read_fields
 from minipov.interpreter.constructs.shape import shape
@@ -23,6 +24,8 @@ from minipov.tracer.shapes import (
     Torus,
 )
 
+SHORTEST_AXIS: Final = 1e-10
+
 
 @shape("sphere", signature="center, radius", doc="A ball.")
 def sphere(reader: ItemReader, context: Context) -> Shape:
@@ -38,7 +41,7 @@ def box(reader: ItemReader, context: Context) -> Shape:
 def cylinder(reader: ItemReader, context: Context) -> Shape:
     place = reader.place
     base, cap, radius = reader.vector(), reader.vector(), reader.float()
-    if base == cap:
+    if dist(base, cap) < SHORTEST_AXIS:
         raise SdlError("degenerate cylinder: its ends are the same point", place)
     return Cylinder(base, cap, radius)
 
@@ -52,7 +55,7 @@ def cylinder(reader: ItemReader, context: Context) -> Shape:
 def cone(reader: ItemReader, context: Context) -> Shape:
     place = reader.place
     base, base_radius, cap, cap_radius = reader.vector(), reader.float(), reader.vector(), reader.float()
-    if base == cap:
+    if dist(base, cap) < SHORTEST_AXIS:
         raise SdlError("degenerate cone: its ends are the same point", place)
     if abs(base_radius - cap_radius) < 1e-10:
         return Cylinder(base, cap, base_radius)
