@@ -193,6 +193,48 @@ def patterns() -> None:
     write("patterns", points, dict(zip(cases, rows, strict=True)))
 
 
+STRIPES = "gradient x color_map{[0.1 rgb 0][0.9 rgbft <1,0.5,2,0.25,0.125>]}"
+"""A pigment to put into others."""
+
+PIGMENTS = [
+    *["agate", "bozo", "brick", "bumps", "checker", "cubic", "granite", "hexagon", "marble", "radial", "wood"],
+    "square",
+    "triangular",
+    "square rgb 0, rgb 0.25, rgb 0.5, rgb 0.75",
+    "triangular rgb 0, rgb 0.1, rgb 0.2, rgb 0.3, rgb 0.4, rgb 0.5",
+    "cubic rgb 0.3",
+    "brick rgb 0.2, rgb 0.7 brick_size <1,0.5,0.75> mortar 0.1",
+    STRIPES,
+    STRIPES + " turbulence 0.5 scale 2",
+    "gradient x color_map{[0.2 rgb 0.1][0.2 rgb 0.5][0.6 rgb 0.6][0.6 rgb 0.2][0.6 rgb 0.9][0.7 rgb 0]}",
+    "gradient x color_map{[0.5 rgb 0.1][0.2 rgb 0.5][0.8 rgb 1]}",
+    "gradient x color_map{[0.3 rgb 0.7]}",
+    "gradient x color_map{[0.3 rgb 0.7][1.5 rgb 0.3]} frequency 2 phase 0.25 sine_wave",
+    f"gradient y pigment_map{{[0 {STRIPES}][1 {STRIPES} translate 0.3*x]}}",
+    f"gradient y pigment_map{{[0.3 {STRIPES}][0.6 rgb 0.5]}} scale 2 turbulence 0.5",
+    f"marble pigment_map{{[0 {STRIPES}][1 {STRIPES} translate 0.3*x]}} turbulence 0.5 rotate 30*z",
+    f"wood pigment_map{{[0 {STRIPES}][1 {STRIPES} translate 0.3*x]}} turbulence 0.5",
+    f"spiral1 3 pigment_map{{[0 {STRIPES}][1 {STRIPES} translate 0.3*x]}} turbulence 0.5",
+    f"checker pigment{{{STRIPES}}} pigment{{{STRIPES} rotate 90*z}} turbulence 0.5 scale 2",
+    f"hexagon pigment{{{STRIPES}}} warp{{repeat 1.5*x}} translate 0.2",
+    f"average pigment_map{{[1 {STRIPES}][3 {STRIPES} translate 0.3*x][0.5 rgb 0.2]}} turbulence 0.5 scale 2",
+]
+"""Pigments with every kind of map."""
+
+COMPONENTS = ["red", "green", "blue", "filter", "transmit"]
+"""Of a pigment function's value."""
+
+
+def pigments() -> None:
+    """Pigments through `function { pigment { ... } }`; a case's last word is the component."""
+    points = scattered(40, 4, 5) + SPECIAL
+    declared = "\n".join(f"#declare F{i}=function{{pigment{{{p}}}}};" for i, p in enumerate(PIGMENTS))
+    cases = {f"{p} | {c}": f"F{i}(X,Y,Z).{c}" for i, p in enumerate(PIGMENTS) for c in COMPONENTS}
+    rows = ask(declared, list(cases.values()), points)
+    write("pigments", points, dict(zip(cases, rows, strict=True)))
+
+
 if __name__ == "__main__":
     noise()
     patterns()
+    pigments()

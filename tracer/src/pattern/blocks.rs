@@ -84,9 +84,11 @@ pub(super) fn square(p: Vec3) -> f64 {
 /// Unit-side triangles of the xz plane in six kinds.
 pub(super) fn triangular(p: Vec3) -> f64 {
     // Axial coordinates along two sides of the lattice; each unit rhombus holds two triangles.
-    let r = p.z / (0.5 * 3.0_f64.sqrt());
+    let r = (p.z + TOLERANCE) / (0.5 * 3.0_f64.sqrt());
     let q = p.x - 0.5 * r;
     let (i, j) = (q.floor(), r.floor());
     let upper = (q - i) + (r - j) > 1.0;
-    2.0 * (i - j).rem_euclid(3.0) + if upper { 1.0 } else { 0.0 }
+    // The six triangles around a lattice point are all of different kinds.
+    let kinds = if upper { [3.0, 5.0, 1.0] } else { [0.0, 4.0, 2.0] };
+    kinds[(i - j).rem_euclid(3.0) as usize]
 }

@@ -23,11 +23,11 @@ impl<T> BlendMap<T> {
 
     /// The two entries around `value` and how far `value` lies between them, 0..=1.
     ///
-    /// Below the first entry it is the first, above the last the last; of equal entries the later counts.
+    /// Below the first entry it is the first, above the last the last; at equal entries the first counts.
     #[inline]
     pub fn around(&self, value: f64) -> (&T, &T, f64) {
         let entries = &self.0[..];
-        let above = entries.iter().position(|e| value < e.0);
+        let above = entries.iter().position(|e| value <= e.0);
         match above {
             Some(0) => (&entries[0].1, &entries[0].1, 0.0),
             Some(i) => {

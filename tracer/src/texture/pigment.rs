@@ -46,9 +46,12 @@ impl Pigment {
         }
     }
 
-    /// A block pattern with the first of its pigments; the others are its default colours.
+    /// A block pattern with the first of its pigments. To a list of colours its default colours are added, to one of
+    /// patterned pigments plain black.
     pub fn blocks(pattern: Pattern, mut pigments: Vec<Pigment>) -> Pigment {
-        let defaults = default_map::block_colors(&pattern.kind).into_iter().map(Pigment::Solid);
+        let of_colors = pigments.iter().all(|p| matches!(p, Pigment::Solid(_)));
+        let missing = |color| Pigment::Solid(if of_colors { color } else { Rgbft::default() });
+        let defaults = default_map::block_colors(&pattern.kind).into_iter().map(missing);
         pigments.extend(defaults.skip(pigments.len()));
         Pigment::Blocks(Arc::new((pattern, pigments)))
     }

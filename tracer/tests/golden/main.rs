@@ -3,4 +3,5 @@
 mod data;
 mod noise;
 mod patterns;
+mod pigments;
 mod sdl;

@@ -1,10 +1,14 @@
 //! Builds the patterns of the golden files from the little SDL that their names are written in.
 
+use std::sync::Arc;
+
+use minipov_tracer::color::Rgbft;
 use minipov_tracer::math::{vec3, Transform, Vec3};
 use minipov_tracer::noise::{NoiseGenerator, Octaves};
 use minipov_tracer::pattern::{
     Brick, Crackle, Pattern, PatternKind, TurbulenceModifier, Wave, WaveSources, Waveform,
 };
+use minipov_tracer::texture::{BlendMap, Pigment};
 use minipov_tracer::warp::{BlackHole, Mapping, Projection, Repeat, Warp};
 
 /// The words of a case, read from the left.
@@ -104,6 +108,7 @@ fn kind(words: &mut Words) -> PatternKind {
         "bozo" => PatternKind::Bozo,
         "bumps" => PatternKind::Bumps,
         "spotted" => PatternKind::Spotted,
+        "average" => PatternKind::Average,
         "brick" => {
             let mut brick = Brick::default();
             if words.option("brick_size") {
@@ -151,6 +156,8 @@ fn kind(words: &mut Words) -> PatternKind {
         "spherical" => PatternKind::Spherical,
         "spiral1" => PatternKind::Spiral1 { arms: words.number() },
         "spiral2" => PatternKind::Spiral2 { arms: words.number() },
+        "square" => PatternKind::Square,
+        "triangular" => PatternKind::Triangular,
         "waves" => PatternKind::Waves(WaveSources::new(10)),
         "wood" => PatternKind::Wood,
         "wrinkles" => PatternKind::Wrinkles,
@@ -230,6 +237,75 @@ fn warp(words: &mut Words) -> Warp {
 pub fn pattern(case: &str) -> Pattern {
     let mut words = Words(case);
     let mut pattern = Pattern::plain(kind(&mut words));
+    modifiers(&mut words, &mut pattern);
+    pattern
+}
+
+fn color(words: &mut Words) -> Option<Rgbft> {
+    let splat = |words: &mut Words| <[f64; 3]>::from(words.vector());
+    let [r, g, b, filter, transmit] = if words.option("rgbft") {
+        assert!(words.take("<"));
+        let c = std::array::from_fn(|_| words.number());
+        assert!(words.take(">"));
+        c
+    } else if words.option("rgb") {
+        let [r, g, b] = splat(words);
+        [r, g, b, 0.0, 0.0]
+    } else {
+        return None;
+    };
+    Some(Rgbft::from([r, g, b, filter, transmit]))
+}
+
+fn entries<T>(words: &mut Words, item: impl Fn(&mut Words) -> T) -> Vec<(f64, T)> {
+    let mut entries = Vec::new();
+    assert!(words.take("{"));
+    while words.take("[") {
+        entries.push((words.number(), item(words)));
+        assert!(words.take("]"));
+    }
+    assert!(words.take("}"));
+    entries
+}
+
+/// A colour or a pattern with its map and modifiers.
+pub fn pigment(words: &mut Words) -> Pigment {
+    if let Some(color) = color(words) {
+        return Pigment::Solid(color);
+    }
+    let mut pattern = Pattern::plain(kind(words));
+    let mut colors = None;
+    let mut pigments = None;
+    let mut blocks = Vec::new();
+    if words.option("color_map") {
+        colors = Some(entries(words, |w| color(w).expect("a colour")));
+    } else if words.option("pigment_map") {
+        pigments = Some(entries(words, pigment));
+    }
+    loop {
+        if let Some(color) = color(words) {
+            blocks.push(Pigment::Solid(color));
+        } else if words.option("pigment") {
+            assert!(words.take("{"));
+            blocks.push(pigment(words));
+            assert!(words.take("}"));
+        } else {
+            break;
+        }
+    }
+    modifiers(words, &mut pattern);
+    match (colors, pigments) {
+        (Some(colors), _) => Pigment::Colors(Arc::new((pattern, BlendMap::new(colors)))),
+        (_, Some(pigments)) if matches!(pattern.kind, PatternKind::Average) => {
+            Pigment::Average(Arc::new((pattern.modifiers, pigments)))
+        }
+        (_, Some(pigments)) => Pigment::Pigments(Arc::new((pattern, BlendMap::new(pigments)))),
+        _ if !blocks.is_empty() => Pigment::blocks(pattern, blocks),
+        _ => Pigment::with_default_map(pattern),
+    }
+}
+
+fn modifiers(words: &mut Words, pattern: &mut Pattern) {
     let Waveform { mut frequency, mut phase, mut wave } = pattern.modifiers.waveform;
     let modifiers = &mut pattern.modifiers;
     while let Some(word) = words.word() {
@@ -251,10 +327,17 @@ pub fn pattern(case: &str) -> Pattern {
         match word {
             "warp" => {
                 assert!(words.take("{"));
-                modifiers.warps.push(warp(&mut words));
+                modifiers.warps.push(warp(words));
                 assert!(words.take("}"));
             }
-            "turbulence" => modifiers.turbulence = Some(turbulence(&mut words)),
+            "brick_size" | "mortar" => {
+                let PatternKind::Brick(brick) = &mut pattern.kind else { panic!("no bricks") };
+                match word {
+                    "mortar" => brick.mortar = words.number(),
+                    _ => brick.brick_size = words.vector(),
+                }
+            }
+            "turbulence" => modifiers.turbulence = Some(turbulence(words)),
             "noise_generator" => {
                 modifiers.noise_generator = NoiseGenerator::from_number(words.number() as i64)
             }
@@ -271,5 +354,4 @@ pub fn pattern(case: &str) -> Pattern {
         }
     }
     modifiers.waveform = Waveform::new(frequency, phase, wave);
-    pattern
 }
