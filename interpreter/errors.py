@@ -5,7 +5,7 @@ A place is a plain tuple (file, line, column), 1-based, so that compiled code ca
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
@@ -15,7 +15,7 @@ Place: TypeAlias = tuple[str, int, int]
 NOWHERE: Place = ("", 0, 0)
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class SdlError(Exception):
     """A mistake in the scene that ends the run.
 
@@ -29,8 +29,31 @@ class SdlError(Exception):
     stack: tuple[tuple[str, Place], ...] = ()
 
     def __str__(self) -> str:
-        file, line, column = self.place
-        return f"{file}:{line}:{column}: error: {self.message}"
+        return f"{where(self.place)}error: {self.message}"
+
+
+def where(place: Place) -> str:
+    """A place as the start of a message line; empty if it is not known."""
+    file, line, column = place
+    return f"{file}:{line}:{column}: " if line else f"{file}: " if file else ""
+
+
+def format_error(error: SdlError, sources: Mapping[str, str]) -> str:
+    """The error as people read it: place and message, the source line with a caret, the hint, the open macros and includes.
+
+    ``sources`` maps file names, as they stand in places, to their text; what is missing is left out.
+    """
+    lines = [str(error)]
+    file, line, column = error.place
+    text = sources.get(file, "").splitlines()
+    if 0 < line <= len(text):
+        source = text[line - 1]
+        before = "".join("\t" if character == "\t" else " " for character in source[: column - 1])
+        lines += [f"  {source}", f"  {before}^"]
+    if error.hint is not None:
+        lines.append(f"  hint: {error.hint}")
+    lines += [f"  {where(place)}{what}" for what, place in error.stack]
+    return "\n".join(lines)
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,1 @@
+"""What compiled scenes run on: names, sinks, directives, functions of the language."""
