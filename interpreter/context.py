@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextvars import ContextVar
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
@@ -79,3 +80,16 @@ class Context:
     default_texture: Texture = field(default_factory=PlainTexture)
     default_camera: Any = None
     default_radiosity_importance: float | None = None
+
+
+_current: ContextVar[Context] = ContextVar("minipov_context")
+
+
+def current_context() -> Context:
+    """The context of the scene that runs in this thread."""
+    return _current.get()
+
+
+def set_current_context(context: Context) -> None:
+    """Make ``context`` that of this thread's running scene."""
+    _current.set(context)

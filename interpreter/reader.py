@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NoReturn, TypeVar
 
+from minipov.interpreter.colors import COLOR_WORDS, read_color
 from minipov.interpreter.errors import Place, SdlError
-from minipov.interpreter.items import COMMA, Block, Item, Word
-from minipov.interpreter.values import Vector
+from minipov.interpreter.items import COMMA, Block, Item, Unread, Word
+from minipov.interpreter.values import Vector, kind_of
 from minipov.tracer.values import Rgb, Rgbft, Vec2, Vec3, Vec4
 
 T = TypeVar("T")
@@ -100,7 +101,7 @@ class ItemReader:
             if len(item) > most:
                 self.fail(what)
             self._at += 1
-            return item
+            return tuple(item)
         self.fail(what)
 
     def is_number(self) -> bool:
@@ -163,18 +164,12 @@ class ItemReader:
 
     def color(self) -> Rgbft:
         """A colour: ``[color] rgb V``, a value, and any of ``red F`` ... ``transmit F`` after it."""
-        raise NotImplementedError
+        return read_color(self)
 
     def rgb(self) -> Rgb:
         """A colour of which only red, green and blue count."""
         r, g, b, _, _ = self.color()
         return (r, g, b)
-
-
-COLOR_WORDS = frozenset(
-    ["color", "colour", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "srgbf", "srgbt", "srgbft"]
-    + ["red", "green", "blue", "filter", "transmit", "alpha"]
-)
 
 
 def describe(item: Item) -> str:
@@ -185,10 +180,8 @@ def describe(item: Item) -> str:
         return f"'{item.name}'"
     if isinstance(item, Block):
         return f"a block '{item.name}'"
+    if isinstance(item, Unread):
+        return f"a {item.name}"
     if isinstance(item, float):
         return f"the number {item:g}"
-    if isinstance(item, Vector):
-        return "a vector" if len(item) < 5 else "a colour"
-    if isinstance(item, str):
-        return "a string"
-    return f"a {type(item).__name__.lower()}"
+    return kind_of(item)

@@ -1,0 +1,88 @@
+"""SDL: ``#macro M(A, B) ... #end``: macros as callable values.
+
+A macro compiled to a Python function takes the cells of its arguments and ``open``, which asks for open terms (see
+`splice`). Most macros push items into the open block; one that only works out an expression ``returns`` it instead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any, NoReturn
+
+from minipov.interpreter.errors import SdlError
+from minipov.interpreter.items import Item
+from minipov.interpreter.runtime.blocks import Blocks
+from minipov.interpreter.runtime.names import Cell
+from minipov.interpreter.runtime.places import current_place
+from minipov.interpreter.runtime.splice import Spliced, items_of
+
+
+class Macro:
+    """A macro. ``value(*cells)`` gives what stands in an expression; ``run(*cells)`` pushes its items."""
+
+    __slots__ = ("arity", "blocks", "function", "least", "name", "parameters", "run", "value")
+    sdl_kind = "macro"
+
+    def __init__(
+        self,
+        name: str,
+        parameters: tuple[str, ...],
+        least: int,
+        function: Callable[..., Any],
+        returns: bool,
+        blocks: Blocks,
+    ) -> None:
+        self.name = name
+        self.parameters = parameters
+        self.arity = len(parameters)
+        self.least = least
+        self.function = function
+        self.blocks = blocks
+        self.value: Callable[..., Any] = function if returns else self._captured
+        self.run: Callable[..., None] = self._pushed if returns else partial(function, open=False)
+
+    def _captured(self, *cells: Any) -> Any:
+        blocks = self.blocks
+        sink = blocks.collect("(", ("", 0, 0))
+        self.function(*cells)
+        blocks.collected(sink)
+        items = sink.items
+        if len(items) == 1 and isinstance(items[0], _VALUES):
+            return items[0]
+        return Spliced(items)
+
+    def _pushed(self, *cells: Any) -> None:
+        place = current_place()
+        for item in items_of(self.function(*cells, open=False)):
+            self.blocks.push(item, place)
+
+    def items(self, *cells: Any) -> tuple[list[Item], list[Any]]:
+        """The items of a call, and their places."""
+        sink = self.blocks.collect("argument", ("", 0, 0))
+        self.run(*cells)
+        self.blocks.collected(sink)
+        return sink.items, sink.places
+
+    def __call__(self, *arguments: Any) -> NoReturn:
+        """A call with the wrong number of arguments.
+
+        Raises:
+            SdlError: always.
+        """
+        wanted = f"{self.arity} argument{'s' * (self.arity != 1)}"
+        raise SdlError(
+            f"macro '{self.name}' takes {wanted}, found {len(arguments)}",
+            hint=f"it is defined as {self.name}({', '.join(self.parameters)})",
+        )
+
+
+_VALUES = (float, tuple, str)
+
+
+def spread(arguments: list[Any]) -> list[Any]:
+    """Argument cells of a call in which a macro may have given several arguments."""
+    cells: list[Any] = []
+    for argument in arguments:
+        cells += [Cell(item) for item in items_of(argument)]
+    return cells
