@@ -98,7 +98,7 @@ class Array:
     def _wrong_count(self, indices: tuple[float, ...]) -> NoReturn:
         raise SdlError(f"the array has {len(self.sizes)} dimensions, but {len(indices)} subscripts are given")
 
-    def get(self, *indices: float) -> Any:
+    def fetch(self, *indices: float) -> Any:
         """An element. More subscripts than dimensions go on into an array held as element.
 
         Raises:
@@ -118,7 +118,7 @@ class Array:
             return value.holds(*indices[len(own) :])
         return value is not UNSET
 
-    def set(self, value: Any, *indices: float) -> None:
+    def assign(self, value: Any, *indices: float) -> None:
         """Assign an element; the first one fixes the kind of all."""
         own = indices[: len(self.sizes)]
         at = self._at(own)
@@ -126,7 +126,7 @@ class Array:
             inner = self.elements[at]
             if not isinstance(inner, Array | Dictionary):
                 self._wrong_count(indices)
-            inner.set(value, *indices[len(own) :])
+            inner.assign(value, *indices[len(own) :])
             return
         if not self.mixed:
             if self.kind is UNSET:
@@ -135,7 +135,18 @@ class Array:
                 raise SdlError(f"the elements of this array are each {kind_of(self.kind)}, not {kind_of(value)}")
         self.elements[at] = value
 
-    def clear(self, *indices: float) -> None:
+    def fill(self, elements: list[Any], *indices: float) -> None:
+        """Assign what an initialiser lists, one list for each dimension; None stands for an element left out."""
+        own = self.sizes[len(indices)] if len(indices) < len(self.sizes) else 0
+        if len(elements) > own:
+            raise SdlError(f"too many elements for an array of {own}")
+        for number, element in enumerate(elements):
+            if isinstance(element, list):
+                self.fill(element, *indices, number)
+            elif element is not None:
+                self.assign(element, *indices, number)
+
+    def erase(self, *indices: float) -> None:
         """``#undef`` of an element."""
         self.elements[self._at(indices)] = UNSET
 
@@ -157,7 +168,7 @@ class Dictionary(dict[str, Any]):
             raise SdlError(f"the dictionary has no entry '{key}'")
         return self[key]
 
-    def get_path(self, key: Any, *more: Any) -> Any:
+    def fetch(self, key: Any, *more: Any) -> Any:
         """The value of a key, or of further subscripts within it."""
         value = self.get_item(key)
         return subscript(value, *more) if more else value
@@ -169,16 +180,16 @@ class Dictionary(dict[str, Any]):
         value = self[key]
         return isinstance(value, Array | Dictionary) and value.holds(*more)
 
-    def set(self, value: Any, key: Any, *more: Any) -> None:
+    def assign(self, value: Any, key: Any, *more: Any) -> None:
         """Assign an entry."""
         if more:
-            self.get_item(key).set(value, *more)
+            self.get_item(key).assign(value, *more)
         elif not isinstance(key, str):
             raise SdlError(f"a dictionary key is a string, not {kind_of(key)}")
         else:
             self[key] = value
 
-    def clear_item(self, key: Any) -> None:
+    def erase(self, key: Any) -> None:
         """``#undef`` of an entry."""
         self.pop(key, None)
 
@@ -186,9 +197,9 @@ class Dictionary(dict[str, Any]):
 def subscript(container: Any, *indices: Any) -> Any:
     """``A[i][j]`` or ``D["key"]``."""
     if isinstance(container, Array):
-        return container.get(*indices)
+        return container.fetch(*indices)
     if isinstance(container, Dictionary):
-        return container.get_path(*indices)
+        return container.fetch(*indices)
     raise SdlError(f"{kind_of(container)} has no elements", hint="subscripts need an array")
 
 

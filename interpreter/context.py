@@ -32,7 +32,11 @@ class ImageLoader(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """What the caller decides about a run; frame numbers and clocks as POV-Ray's variables of the same name."""
+    """What the caller decides about a run; frame numbers and clocks as POV-Ray's variables of the same name.
+
+    ``files`` are sources given by the caller, by name. Scenes may write files below the ``writable`` folders only; None
+    stands for the working directory and the system's folder of temporary files.
+    """
 
     width: int = 320
     height: int = 240
@@ -50,6 +54,7 @@ class Options:
     quality: int = 9
     files: dict[str, bytes] = field(default_factory=dict)
     load_image: ImageLoader | None = None
+    writable: tuple[Path, ...] | None = None
 
 
 @dataclass(slots=True)

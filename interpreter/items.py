@@ -7,7 +7,7 @@ its items (`reader.ItemReader`) and yields one value, pushed into the sink above
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
@@ -94,6 +94,14 @@ class Sink:
         """Add one item."""
         self.items.append(item)
         self.places.append(place)
+
+    def extend(self, items: Sequence[Item], places: Sequence[Place]) -> None:
+        """Add several items."""
+        self.items.extend(items)
+        self.places.extend(places)
+
+    def opening(self, name: str) -> None:
+        """A block ``name`` is about to open in this sink."""
 
     def within(self, *names: str) -> bool:
         """Whether one of the blocks around this one has one of these names."""

@@ -68,6 +68,7 @@ class Blocks:
 
     def open(self, name: str, place: Place) -> None:
         """``name {``."""
+        self.sink.opening(name)
         self.sink = Sink(name, place, self.sink)
 
     def open_brace(self, place: Place) -> None:

@@ -13,7 +13,9 @@ from typing import Any
 
 from minipov.grammar.keywords import KEYWORDS
 from minipov.interpreter.arrays import Array
+from minipov.interpreter.context import current_context
 from minipov.interpreter.errors import SdlError
+from minipov.interpreter.runtime.places import current_place
 from minipov.interpreter.values import kind_of
 
 
@@ -21,7 +23,6 @@ class Cell:
     """A place that holds a value. ``outer`` is what the name meant before, where this is a local."""
 
     __slots__ = ("outer", "v")
-    local = False
 
     def __init__(self, value: Any, outer: Any = None) -> None:
         self.v = value
@@ -51,11 +52,11 @@ class FixedCell:
 class DeprecatedCell:
     """A value that warns when it is read: ``#declare deprecated once "use B instead" A = ...``."""
 
-    __slots__ = ("once", "outer", "value", "warn", "warned")
+    __slots__ = ("once", "outer", "text", "value", "warned")
 
-    def __init__(self, value: Any, warn: Any, once: bool, outer: Any = None) -> None:
+    def __init__(self, value: Any, text: str, once: bool, outer: Any) -> None:
         self.value = value
-        self.warn = warn
+        self.text = text
         self.once = once
         self.warned = False
         self.outer = outer
@@ -65,7 +66,7 @@ class DeprecatedCell:
         """The value, after the warning."""
         if not (self.once and self.warned):
             self.warned = True
-            self.warn()
+            current_context().messages.warn(self.text, current_place())
         return self.value
 
     @v.setter
@@ -86,11 +87,11 @@ class ElementCell:
     @property
     def v(self) -> Any:
         """The element."""
-        return self.array.get(*self.indices)
+        return self.array.fetch(*self.indices)
 
     @v.setter
     def v(self, value: Any) -> None:
-        self.array.set(value, *self.indices)
+        self.array.assign(value, *self.indices)
 
 
 class Undeclared:
@@ -141,6 +142,10 @@ class Symbol:
         if isinstance(self.c, FixedCell):
             self.c.v = value
         self.c = FixedCell(self.name, value, self.c.outer)
+
+    def deprecate(self, value: Any, text: str, once: bool) -> None:
+        """Declare something that warns when it is used."""
+        self.c = DeprecatedCell(value, text, once, self.c.outer)
 
     def undefine(self) -> None:
         """Forget the innermost meaning."""

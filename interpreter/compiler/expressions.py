@@ -1,0 +1,178 @@
+"""SDL: ``2*A + <1, 0, B>``, ``(A < B ? x : y)``, ``V.x``, ``Arr[i][j]``: expressions."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+from typing import Final
+
+from minipov.grammar import tree
+from minipov.interpreter.compiler.body import Body
+from minipov.interpreter.compiler.shapes import EXPRESSIONS, constant, is_comma, may_splice
+from minipov.interpreter.values import COMPONENTS
+
+_PYTHON: Final[dict[str, type[ast.operator]]] = {"+": ast.Add, "-": ast.Sub, "*": ast.Mult}
+_ORDER: Final[dict[str, type[ast.cmpop]]] = {"<": ast.Lt, ">": ast.Gt}
+_HELPERS: Final = {"=": "equal", "!=": "unequal", "<=": "less_equal", ">=": "greater_equal", "&": "both", "|": "either"}
+_RELATIONS: Final = frozenset({*_ORDER, "=", "!=", "<=", ">="})
+
+
+class Expressions(Body):
+    """Compiles expressions. Arithmetic becomes Python's; what Python does otherwise goes through `operators`."""
+
+    def call(self, node: tree.Call) -> ast.expr:
+        """A call of a macro, function or spline."""
+        raise NotImplementedError
+
+    def builtin_call(self, node: tree.BuiltinCall) -> ast.expr:
+        """A call of one of the language's own functions."""
+        raise NotImplementedError
+
+    def function_literal(self, node: tree.FunctionLiteral) -> ast.expr:
+        """``function { ... }``."""
+        raise NotImplementedError
+
+    def value(self, node: tree.Expression) -> ast.expr:
+        """An expression where exactly one value must stand."""
+        value = self.expression(node)
+        return self.emit.call("value_of", value) if may_splice(node) else value
+
+    def expression(self, node: tree.Expression) -> ast.expr:
+        """The value of an expression."""
+        known = constant(node)
+        self.emit.at(node)
+        if known is not None:
+            return self.plain(known)
+        match node:
+            case tree.Name(name=name):
+                return self.emit.attribute(self.cell(name), "v")
+            case tree.ConstantWord(name=name):
+                return self._variable(name)
+            case tree.Paren(inner=inner):
+                return self.value(inner)
+            case tree.Vector():
+                return self._vector(node)
+            case tree.Unary():
+                return self._unary(node)
+            case tree.Binary():
+                return self._binary(node)
+            case tree.Conditional():
+                return self._conditional(node)
+            case tree.Member():
+                return self._member(node)
+            case tree.Subscript():
+                return self._subscript(node)
+            case tree.Call():
+                return self.call(node)
+            case tree.BuiltinCall():
+                return self.builtin_call(node)
+            case tree.FunctionLiteral():
+                return self.function_literal(node)
+        raise TypeError(f"not an expression: {node}")
+
+    def condition(self, node: tree.Expression) -> ast.expr:
+        """An expression as a Python truth."""
+        while isinstance(node, tree.Paren):
+            node = node.inner
+        if isinstance(node, tree.Binary) and node.operator in _RELATIONS and constant(node) is None:
+            return self._relation(node)
+        value = self.value(node)
+        return self.emit.call("truth", value)
+
+    def _variable(self, name: str) -> ast.expr:
+        return self.emit.call("variable", self.emit.constant(name))
+
+    def _unary(self, node: tree.Unary) -> ast.expr:
+        operand = self.expression(node.operand)
+        self.emit.at(node)
+        if node.operator == "!":
+            return self.emit.call("not_", operand)
+        return self.emit.unary(ast.USub() if node.operator == "-" else ast.UAdd(), operand)
+
+    def _binary(self, node: tree.Binary) -> ast.expr:
+        if node.operator in _RELATIONS:
+            relation = self._relation(node)
+            return self.emit.binary(relation, ast.Mult(), self.emit.constant(1.0))
+        if node.operator in _PYTHON:
+            left, right = self.expression(node.left), self.expression(node.right)
+            self.emit.at(node)
+            return self.emit.binary(left, _PYTHON[node.operator](), right)
+        if node.operator == "/":
+            divisor = constant(node.right)
+            left, right = self.expression(node.left), self.expression(node.right)
+            self.emit.at(node)
+            if isinstance(divisor, float) and divisor:
+                return self.emit.binary(left, ast.Div(), right)
+            return self.emit.call("divide", left, right)
+        left, right = self.value(node.left), self.value(node.right)
+        self.emit.at(node)
+        return self.emit.call(_HELPERS[node.operator], left, right)
+
+    def _relation(self, node: tree.Binary) -> ast.expr:
+        left, right = self.value(node.left), self.value(node.right)
+        self.emit.at(node)
+        if node.operator in _ORDER:
+            return self.emit.compare(left, _ORDER[node.operator](), right)
+        return self.emit.call(_HELPERS[node.operator], left, right)
+
+    def _conditional(self, node: tree.Conditional) -> ast.expr:
+        test = self.condition(node.condition)
+        yes, no = self.value(node.yes), self.value(node.no)
+        self.emit.at(node)
+        if _is_plain(node.yes) and _is_plain(node.no):
+            return self.emit.conditional(test, yes, no)
+        return self.emit.call("choose", test, yes, no)
+
+    def _member(self, node: tree.Member) -> ast.expr:
+        of = self.expression(node.of)
+        self.emit.at(node)
+        if node.name in COMPONENTS or node.name == "gray":
+            return self.emit.attribute(of, node.name)
+        return self.emit.call("subscript", of, self.emit.constant(node.name))
+
+    def _subscript(self, node: tree.Subscript) -> ast.expr:
+        container, indices = self.element(node)
+        self.emit.at(node)
+        return self.emit.call(self.emit.attribute(container, "fetch"), *indices)
+
+    def element(self, node: tree.Subscript | tree.Member) -> tuple[ast.expr, list[ast.expr]]:
+        """The container of an element, and all the subscripts that lead to it."""
+        indices: list[ast.expr] = []
+        of: tree.Expression = node
+        while isinstance(of, tree.Subscript) or (isinstance(of, tree.Member) and of.name not in COMPONENTS):
+            if isinstance(of, tree.Subscript):
+                indices.insert(0, self.value(of.index))
+            else:
+                indices.insert(0, self.emit.constant(of.name))
+            of = of.of
+        return self.value(of), indices
+
+    def _vector(self, node: tree.Vector) -> ast.expr:
+        parts = [item for item in node.items if not is_comma(item)]
+        if not all(isinstance(part, EXPRESSIONS) for part in parts):
+            return self._gathered(node)
+        terms = [self.expression(part) for part in parts]  # type: ignore[arg-type]  # expressions, as just seen
+        self.emit.at(node)
+        if any(map(may_splice, parts)):
+            return self.emit.call("spliced_vector", self.emit.tuple(terms))
+        return self.emit.call("vector", *terms)
+
+    def _gathered(self, node: tree.Vector) -> ast.expr:
+        """A vector with directives among its terms."""
+        sink = self.gather(node.items, "<", node)
+        return self.emit.at(node).call("gathered_vector", self.emit.name(sink))
+
+    def gather(self, items: Sequence[tree.Item], name: str, node: tree.Node) -> str:
+        """The variable of a sink into which ``items`` went."""
+        self.emit.at(node)
+        sink = self.kept(self.emit.call("collect", self.emit.constant(name), self.place(node)), "sink")
+        self.items(items)
+        self.do("collected", self.emit.name(sink))
+        return sink
+
+
+def _is_plain(node: tree.Expression) -> bool:
+    """Whether working an expression out can neither fail nor do anything."""
+    if isinstance(node, tree.Paren | tree.Unary):
+        return _is_plain(node.inner if isinstance(node, tree.Paren) else node.operand)
+    return constant(node) is not None or isinstance(node, tree.Name)

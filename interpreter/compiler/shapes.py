@@ -1,0 +1,182 @@
+"""What can be told of a tree before it is compiled: constants, macro calls at an edge, where one value ends."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi, tau
+from typing import Any, Final
+
+from minipov.grammar import tree
+from minipov.grammar.lexer import unescape
+from minipov.interpreter.colors import COLOR_WORDS
+from minipov.interpreter.values import Vector
+
+CONSTANT_WORDS: Final[dict[str, Any]] = {
+    "x": Vector((1.0, 0.0, 0.0)), "y": Vector((0.0, 1.0, 0.0)), "z": Vector((0.0, 0.0, 1.0)),
+    "u": Vector((1.0, 0.0)), "v": Vector((0.0, 1.0)), "t": Vector((0.0, 0.0, 0.0, 1.0)),
+    "pi": pi, "tau": tau,
+    "true": 1.0, "yes": 1.0, "on": 1.0, "false": 0.0, "no": 0.0, "off": 0.0,
+}  # fmt: skip
+
+ARITHMETIC: Final = frozenset("+-*/")
+EXPRESSIONS: Final = (
+    tree.Number, tree.String, tree.Name, tree.ConstantWord, tree.Vector, tree.Unary, tree.Binary, tree.Conditional,
+    tree.Paren, tree.Member, tree.Subscript, tree.Call, tree.BuiltinCall, tree.FunctionLiteral,
+)  # fmt: skip
+DIRECTIVES: Final = (
+    tree.Declare, tree.Undef, tree.Include, tree.If, tree.Switch, tree.While, tree.For, tree.Break, tree.Macro,
+    tree.Default, tree.Version, tree.Print, tree.FileOpen, tree.FileClose, tree.FileRead, tree.FileWrite, tree.Obsolete,
+)  # fmt: skip
+
+
+def constant(node: tree.Item) -> Any:
+    """The float, `Vector` or str that an expression always is, or None."""
+    match node:
+        case tree.Number(value=value):
+            return value
+        case tree.String(raw=raw):
+            return unescape(raw)
+        case tree.ConstantWord(name=name):
+            return CONSTANT_WORDS.get(name)
+        case tree.Paren(inner=inner):
+            return constant(inner)
+        case tree.Unary(operator="-", operand=operand):
+            value = constant(operand)
+            return -value if isinstance(value, float | Vector) else None
+        case tree.Binary(operator=operator, left=left, right=right) if operator in ARITHMETIC:
+            return _folded(operator, constant(left), constant(right))
+        case tree.Vector(items=items):
+            terms = [constant(item) for item in items if not is_comma(item)]
+            return Vector(terms) if len(terms) > 1 and all(type(term) is float for term in terms) else None
+    return None
+
+
+def _folded(operator: str, left: Any, right: Any) -> Any:
+    if not isinstance(left, float | Vector) or not isinstance(right, float | Vector):
+        return None
+    try:
+        match operator:
+            case "+":
+                return left + right
+            case "-":
+                return left - right
+            case "*":
+                return left * right
+        return left / right if isinstance(right, float) and right else None
+    except TypeError:
+        return None
+
+
+def is_comma(item: tree.Item) -> bool:
+    """Whether an item is a comma."""
+    return isinstance(item, tree.Punctuation) and item.text == ","
+
+
+def is_semicolon(item: tree.Item) -> bool:
+    """Whether an item is a semicolon."""
+    return isinstance(item, tree.Punctuation) and item.text == ";"
+
+
+def may_splice(node: tree.Item) -> bool:
+    """Whether an expression may turn out to be several items, because a macro call stands at its edge."""
+    match node:
+        case tree.Call():
+            return True
+        case tree.Unary(operand=inner) | tree.Member(of=inner):
+            return may_splice(inner)
+        case tree.Binary(operator=operator, left=left, right=right):
+            return operator in ARITHMETIC and (may_splice(left) or may_splice(right))
+    return False
+
+
+def value_extent(items: Sequence[tree.Item], start: int) -> int | None:
+    """Where the one value that begins at ``items[start]`` ends; None if only the running program can tell."""
+    if start >= len(items):
+        return None
+    first = items[start]
+    if isinstance(first, EXPRESSIONS):
+        after = items[start + 1] if start + 1 < len(items) else None
+        if isinstance(first, tree.Call) and (isinstance(after, tree.Block | tree.LooseBrace) or _is(after, "texture")):
+            return None
+        return start + 1
+    if not isinstance(first, tree.Keyword):
+        return start + 1 if isinstance(first, tree.BulkVectors) else None
+    if first.name in COLOR_WORDS:
+        return _color_extent(items, start)
+    if first.name == "array":
+        return _array_extent(items, start)
+    if first.name == "dictionary" and not isinstance(_at(items, start + 1), tree.Block):
+        return start + 1
+    at = start
+    while isinstance(_at(items, at + 1), tree.Block):
+        at += 2
+        if first.name != "texture" or not _is(_at(items, at), "texture"):
+            break
+    if at == start or (first.name == "texture" and isinstance(_at(items, at), _MAYBE_TEXTURE)):
+        return None
+    return at
+
+
+_MAYBE_TEXTURE: Final = (tree.If, tree.Switch, tree.While, tree.For, tree.Include, tree.Call)
+
+
+def _at(items: Sequence[tree.Item], index: int) -> tree.Item | None:
+    return items[index] if index < len(items) else None
+
+
+def _is(item: tree.Item | None, word: str) -> bool:
+    return isinstance(item, tree.Keyword) and item.name == word
+
+
+def _color_extent(items: Sequence[tree.Item], start: int) -> int | None:
+    at = start
+    while at < len(items):
+        item = items[at]
+        if isinstance(item, tree.Keyword) and item.name in COLOR_WORDS:
+            at += 1
+        elif isinstance(item, EXPRESSIONS) and isinstance(items[at - 1], tree.Keyword):
+            at += 1
+        else:
+            break
+    return None if isinstance(items[at - 1], tree.Keyword) else at
+
+
+def _array_extent(items: Sequence[tree.Item], start: int) -> int | None:
+    at = start + 1
+    while _is(_at(items, at), "mixed"):
+        at += 1
+    while isinstance(_at(items, at), tree.Bracket):
+        at += 1
+    while _is(_at(items, at), "optional"):
+        at += 1
+    return at + 1 if isinstance(_at(items, at), tree.Block) else at
+
+
+def argument_groups(items: Sequence[tree.Item]) -> list[Sequence[tree.Item]] | None:
+    """The items of each argument of a call or element of a list; None if only the running program can tell.
+
+    Commas are optional between arguments; two in a row enclose an empty one.
+    """
+    groups: list[Sequence[tree.Item]] = []
+    at = 0
+    after_comma = True
+    while at < len(items):
+        if is_comma(items[at]):
+            if after_comma:
+                groups.append(())
+            after_comma = True
+            at += 1
+            continue
+        end = at + 1 if _is_lone_word(items, at) else value_extent(items, at)
+        if end is None:
+            return None
+        groups.append(items[at:end])
+        after_comma = False
+        at = end
+    return groups
+
+
+def _is_lone_word(items: Sequence[tree.Item], at: int) -> bool:
+    item = items[at]
+    following = _at(items, at + 1)
+    return isinstance(item, tree.Keyword) and item.name.endswith("_spline") and not isinstance(following, tree.Block)

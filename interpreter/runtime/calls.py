@@ -1,0 +1,128 @@
+"""SDL: calls of what only the running program knows: macros whose arguments other macros give, functions, splines."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, NoReturn
+
+from minipov.interpreter.arrays import Array, Dictionary, subscript
+from minipov.interpreter.errors import Place, SdlError
+from minipov.interpreter.items import COMMA, Item, Sink, Word
+from minipov.interpreter.runtime.evaluate import call_function
+from minipov.interpreter.runtime.macros import Macro
+from minipov.interpreter.runtime.names import Cell, ElementCell, Symbol
+from minipov.interpreter.runtime.rvalues import rvalue
+from minipov.interpreter.runtime.signature import BUILTINS
+from minipov.interpreter.runtime.splice import items_of
+from minipov.interpreter.values import Vector, kind_of
+
+
+def fail(message: str, hint: str | None = None) -> NoReturn:
+    """Stop with an error at this place."""
+    raise SdlError(message, hint=hint)
+
+
+def missing_argument() -> NoReturn:
+    """Two commas in a row among arguments."""
+    fail("an argument is missing between the commas")
+
+
+def call(callee: Any, *values: Any) -> Any:
+    """A call of what is no macro of that many arguments."""
+    if isinstance(callee, Macro):
+        callee(*values)
+    return call_function(callee, values)
+
+
+def element(container: Any, indices: tuple[Any, ...]) -> Any:
+    """An element, to pass by reference."""
+    if not isinstance(container, Array | Dictionary):
+        subscript(container, *indices)
+    return ElementCell(container, indices)
+
+
+def holds(symbol: Symbol, indices: tuple[Any, ...]) -> bool:
+    """Whether an element of an array or dictionary has a value."""
+    container = symbol.c.v if symbol.declared else None
+    return isinstance(container, Array | Dictionary) and container.holds(*indices)
+
+
+def _single_values(items: Sequence[Item]) -> list[Any]:
+    return [item for item in items if item is not COMMA]
+
+
+def call_gathered(callee: Any, way: str, sink: Sink, place: Place) -> Any:
+    """A call whose argument list holds directives: each item is an argument."""
+    return _call_with([Cell(value) for value in _single_values(sink.items)], callee, way)
+
+
+def call_spread(callee: Any, way: str, *rest: Any) -> Any:
+    """A call among whose arguments a macro may have given several."""
+    cells: list[Any] = []
+    for cell in rest[-1]:
+        items = items_of(cell.v)
+        cells += [cell] if len(items) == 1 and items[0] is cell.v else map(Cell, _single_values(items))
+    return _call_with(cells, callee, way)
+
+
+def _call_with(cells: list[Any], callee: Any, way: str) -> Any:
+    if isinstance(callee, Macro):
+        if len(cells) != callee.arity:
+            callee(*cells)
+        return getattr(callee, way)(*cells)
+    return call(callee, *(cell.v for cell in cells))
+
+
+def builtin_spread(name: str, function: Callable[..., Any], values: tuple[Any, ...]) -> Any:
+    """A function of the language, among whose arguments a macro may have given several."""
+    arguments = [item for value in values for item in items_of(value) if item is not COMMA]
+    builtin = BUILTINS[name]
+    if not builtin.least <= len(arguments) <= builtin.most:
+        fail(f"{name}() takes {builtin.least} arguments, found {len(arguments)}")
+    return function(*arguments)
+
+
+def builtin_gathered(name: str, function: Callable[..., Any], sink: Sink) -> Any:
+    """A function of the language whose argument list holds directives."""
+    return builtin_spread(name, function, tuple(sink.items))
+
+
+def rvalue_of(called: tuple[list[Item], list[Place]], what: str, place: Place) -> Any:
+    """The one value that a macro call gave."""
+    items, places = called
+    if len(items) == 1 and items[0].__class__ in (float, Vector, str):
+        return items[0]
+    return rvalue(items, places, what, place)
+
+
+def rvalue_in(sink: Sink, place: Place) -> Any:
+    """The one value among the items of a sink."""
+    return rvalue(sink.items, sink.places, sink.name, place)
+
+
+def values_in_call(called: tuple[list[Item], list[Place]], place: Place) -> list[Any]:
+    """The elements that a macro call gave, commas between them or not."""
+    items, places = called
+    if any(isinstance(item, Word) for item in items):
+        return [rvalue(items, places, "array element", place)]
+    return _single_values(items)
+
+
+def vector(*terms: Any) -> Vector:
+    """``<a, b, c>``."""
+    if len(terms) < 2:
+        fail("a vector has at least two terms")
+    for term in terms:
+        if term.__class__ is not float and not isinstance(term, float | int):
+            fail(f"the terms of a vector are numbers, not {kind_of(term)}")
+    return Vector(terms)
+
+
+def spliced_vector(terms: tuple[Any, ...]) -> Vector:
+    """``<a, M(), c>`` where macros may give several terms."""
+    return vector(*(item for term in terms for item in items_of(term) if item is not COMMA))
+
+
+def gathered_vector(sink: Sink) -> Vector:
+    """``< ... >`` with directives among the terms."""
+    return vector(*_single_values(sink.items))

@@ -1,0 +1,197 @@
+"""A running scene: it loads compiled files, gives them the names that their code uses, and keeps what directives change."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from minipov.interpreter.arrays import same_kind
+from minipov.interpreter.context import Context
+from minipov.interpreter.errors import Place, SdlError
+from minipov.interpreter.runtime.blocks import Blocks
+from minipov.interpreter.runtime.files import Files, Reader, Writer
+from minipov.interpreter.runtime.names import Names, Symbol, Undeclared
+from minipov.interpreter.runtime.places import MARK, current_place
+from minipov.interpreter.runtime.search import INCLUDE_EXTENSIONS, FileSearch
+from minipov.interpreter.runtime.streams import DebugStream, halted, warning
+from minipov.interpreter.runtime.strings import now, text
+from minipov.interpreter.values import kind_of
+
+Loader = Callable[[str, bytes], Any]
+"""Compiles a file's content, or takes it from the cache: gives a `compiler.files.Program`."""
+
+MOST_INCLUDES = 200
+NEWEST = 3.8
+
+
+class Running:
+    """One run of a scene."""
+
+    def __init__(self, context: Context, search: FileSearch, load: Loader) -> None:
+        self.context = context
+        self.search = search
+        self.load = load
+        self.names = Names()
+        self.blocks = Blocks(context)
+        self.random: list[int] = []
+        self.debug = DebugStream(context.messages)
+        self.files = Files(search.find, context.options.writable)
+        self.sources: dict[str, str] = {}
+        self.depth = 0
+        self._loaded: dict[str, tuple[bytes, Callable[[], None]]] = {}
+        self.input_file_name = ""
+        self.library: dict[str, Any] = {}
+        for name, value in context.options.declares.items():
+            self.names[name].c.v = value if isinstance(value, str) else float(value)
+
+    # --- files ---
+
+    def run(self, name: str, content: bytes) -> None:
+        """Do what a file says."""
+        known = self._loaded.get(name)
+        if known is None or known[0] != content:
+            known = self._loaded[name] = (content, self._bound(name, content))
+        known[1]()
+
+    def _bound(self, name: str, content: bytes) -> Callable[[], None]:
+        program = self.load(name, content)
+        self.sources[name] = content.decode("utf-8", "replace")
+        namespace = {**self.library, MARK: name}
+        namespace.update((f"s_{symbol}", self.names[symbol]) for symbol in program.symbols)
+        namespace.update((f"k{number}", value) for number, value in enumerate(program.revived()))
+        exec(program.code, namespace)
+        function: Callable[[], None] = namespace[program.entry]
+        return function
+
+    def include(self, file: Any, place: Place) -> None:
+        """``#include "file"``."""
+        path = self.search.find(text(file), INCLUDE_EXTENSIONS)
+        if path is None:
+            raise SdlError(f"cannot find the file '{file}'", place, hint=self._searched(file))
+        self.depth += 1
+        if self.depth > MOST_INCLUDES:
+            raise SdlError(f"files include each other {MOST_INCLUDES} deep", place)
+        self.search.beside.append(path.parent)
+        try:
+            content = self.search.read(path)
+        except OSError as error:
+            raise SdlError(f"cannot read '{path}': {error.strerror or error}", place) from None
+        self.run(str(path), content)
+        self.search.beside.pop()
+        self.depth -= 1
+
+    def _searched(self, file: str) -> str:
+        folders = ["the working directory", "the folder of the scene", *map(str, self.search.library_paths)]
+        return f"looked in {', '.join(folders)}"
+
+    # --- messages ---
+
+    def warn(self, message: str) -> None:
+        """Warn about what the program does at this moment."""
+        self.context.messages.warn(message, current_place())
+
+    def print_debug(self, message: Any, place: Place) -> None:
+        """``#debug``."""
+        self.debug.write(message, place)
+
+    def print_warning(self, message: Any, place: Place) -> None:
+        """``#warning``."""
+        self.context.messages.warn(warning(message), place)
+
+    def print_error(self, message: Any, place: Place) -> None:
+        """``#error``."""
+        error = halted(message)
+        error.place = place
+        raise error
+
+    def obsolete(self, old: str, new: str) -> None:
+        """A directive of former days."""
+        self.context.messages.warn_once(old, f"{old} is obsolete, use {new}", current_place())
+
+    def obsolete_setting(self, name: str, value: float) -> None:
+        """``#max_trace_level``, ``#max_intersections``."""
+        self.obsolete(f"#{name}", "global_settings")
+        if name == "max_trace_level":
+            from dataclasses import replace
+
+            settings = self.context.scene.settings
+            self.context.scene.settings = replace(settings, max_trace_level=int(value))
+
+    # --- state ---
+
+    def set_version(self, value: Any, place: Place) -> None:
+        """``#version``."""
+        if not isinstance(value, float | int):
+            raise SdlError("#version takes a number", place)
+        number = float(value)
+        if number >= 10:
+            number /= 100
+        if number > NEWEST + 1e-6:
+            raise SdlError(f"#version {number:g} is newer than this program knows", place, hint=f"up to {NEWEST} is known")
+        self.context.version = number
+
+    def variable(self, name: str) -> Any:
+        """A keyword that is a value only the running program knows."""
+        options = self.context.options
+        match name:
+            case "version":
+                return self.context.version
+            case "now":
+                return now()
+            case "image_width":
+                return float(options.width)
+            case "image_height":
+                return float(options.height)
+            case "input_file_name":
+                return self.input_file_name
+        value = getattr(options, name, None)
+        if value is None:
+            raise SdlError(f"'{name}' is not known here")
+        return float(value)
+
+    # --- data files ---
+
+    def open_file(self, symbol: Symbol, name: Any, mode: str) -> None:
+        """``#fopen``."""
+        if symbol.declared:
+            raise SdlError(f"'{symbol.name}' is declared already", hint="the name of a file handle must be new")
+        symbol.fix(self.files.open(name, mode, self.search.read))
+
+    def close_file(self, symbol: Symbol) -> None:
+        """``#fclose``."""
+        self.files.close(self._handle(symbol, Reader | Writer))
+        symbol.undefine()
+
+    def _handle(self, symbol: Symbol, kind: Any) -> Any:
+        handle = symbol.c.v
+        if not isinstance(handle, kind):
+            use = "reading" if kind is Reader else "writing" if kind is Writer else "reading or writing"
+            raise SdlError(f"'{symbol.name}' is no file opened for {use}")
+        return handle
+
+    def read_file(self, symbol: Symbol) -> Any:
+        """One item of ``#read``."""
+        return self._handle(symbol, Reader).read()
+
+    def check_kind(self, cell: Any, value: Any) -> None:
+        """``#read`` into a variable keeps its type."""
+        if not isinstance(cell, Undeclared) and not same_kind(cell.v, value):
+            raise SdlError(f"#read: the variable is {kind_of(cell.v)}, but the file has {kind_of(value)}")
+
+    def end_read(self, symbol: Symbol) -> None:
+        """The end of ``#read``: at the end of the file the handle is gone."""
+        handle = self._handle(symbol, Reader)
+        if handle.at_end:
+            self.files.close(handle)
+            symbol.undefine()
+
+    def write_file(self, symbol: Symbol, value: Any, binary: str | None) -> None:
+        """One item of ``#write``."""
+        self._handle(symbol, Writer).write(value, binary)
+
+    def find_file(self, name: str, extensions: tuple[str, ...]) -> Path | None:
+        """Search a file as ``#include`` does."""
+        return self.search.find(name, extensions)
+
+
