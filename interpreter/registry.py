@@ -60,3 +60,8 @@ def find(name: str, parent: str) -> Construct | None:
 def constructs() -> tuple[Construct, ...]:
     """All of them, for the editor and the documentation."""
     return tuple(_CONSTRUCTS.values())
+
+
+def names() -> frozenset[str]:
+    """The words that begin a block somewhere."""
+    return frozenset(name for _, name in _CONSTRUCTS)

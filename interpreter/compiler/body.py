@@ -33,6 +33,9 @@ class Unit:
 class Body(ABC):
     """A function in the making. Expressions that need statements before them add these to ``statements``."""
 
+    gathering = False
+    """Whether what is pushed are parts of one expression: ``(1 #if (A) + 2 #end)``."""
+
     def __init__(self, unit: Unit, parameters: Sequence[str] = (), local_names: Iterable[str] = ()) -> None:
         self.unit = unit
         self.emit = Emitter()

@@ -163,14 +163,14 @@ class Directives(Declarations):
     def _simple(self, node: tree.Item) -> None:
         match node:
             case tree.Include(file=file):
-                self._call("include", file, node)
+                self._file_call("include", file, node)
             case tree.Print(stream=stream, text=text):
                 name = stream if stream in ("warning", "error") else "debug"
-                self._call(f"print_{name}", text, node)
+                self._told(f"print_{name}", text, node)
                 if stream in ("render", "statistics"):
                     self.do("obsolete", self.emit.constant(f"#{stream}"), self.emit.constant("#debug"))
             case tree.Version(value=value):
-                self._call("set_version", value, node)
+                self._told("set_version", value, node)
             case tree.Obsolete(name=name, value=value):
                 given = self.value(value)
                 self.emit.at(node)
@@ -178,7 +178,7 @@ class Directives(Declarations):
             case tree.Default(block=block):
                 self.block_items("#default", block, node)
             case tree.FileOpen(name=name, file=file, mode=mode):
-                path = self.value(file)
+                path = self.file_name(file)
                 self.emit.at(node)
                 self.do("open_file", self.symbol(name), path, self.emit.constant(mode))
             case tree.FileClose(name=name):
@@ -187,10 +187,23 @@ class Directives(Declarations):
                 self._read(node)
             case tree.FileWrite():
                 self._write(node)
+            case tree.FileWriteOpen(name=name):
+                self.do("begin_write", self.symbol(name), self.place(node))
             case _:
                 raise TypeError(f"not a directive: {node}")
 
-    def _call(self, function: str, argument: tree.Expression, node: tree.Node) -> None:
+    def file_name(self, node: tree.Expression) -> ast.expr:
+        """A string that names a file: its backslashes are no escapes."""
+        if isinstance(node, tree.String):
+            return self.emit.at(node).constant(node.raw)
+        return self.value(node)
+
+    def _file_call(self, function: str, file: tree.Expression, node: tree.Node) -> None:
+        value = self.file_name(file)
+        self.emit.at(node)
+        self.do(function, value, self.place(node))
+
+    def _told(self, function: str, argument: tree.Expression, node: tree.Node) -> None:
         value = self.value(argument)
         self.emit.at(node)
         self.do(function, value, self.place(node))

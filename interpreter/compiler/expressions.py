@@ -50,6 +50,8 @@ class Expressions(Body):
                 return self._variable(name)
             case tree.Paren(inner=inner):
                 return self.value(inner)
+            case tree.Group():
+                return self._group(node)
             case tree.Vector():
                 return self._vector(node)
             case tree.Unary():
@@ -162,11 +164,18 @@ class Expressions(Body):
         sink = self.gather(node.items, "<", node)
         return self.emit.at(node).call("gathered_vector", self.emit.name(sink))
 
+    def _group(self, node: tree.Group) -> ast.expr:
+        """Parentheses with directives inside."""
+        sink = self.gather(node.items, "(", node)
+        return self.emit.at(node).call("gathered_value", self.emit.name(sink))
+
     def gather(self, items: Sequence[tree.Item], name: str, node: tree.Node) -> str:
         """The variable of a sink into which ``items`` went."""
         self.emit.at(node)
         sink = self.kept(self.emit.call("collect", self.emit.constant(name), self.place(node)), "sink")
+        outer, self.gathering = self.gathering, name in ("<", "(")
         self.items(items)
+        self.gathering = outer
         self.do("collected", self.emit.name(sink))
         return sink
 

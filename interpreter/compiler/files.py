@@ -4,32 +4,16 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Sequence
-from dataclasses import dataclass
-from types import CodeType
-from typing import Any
 
 from minipov.grammar import tree
 from minipov.interpreter.compiler.body import Unit
 from minipov.interpreter.compiler.declarations import local_names
 from minipov.interpreter.compiler.directives import Directives
 from minipov.interpreter.compiler.items import has_open_terms
+from minipov.interpreter.compiler.program import ENTRY, Program
 from minipov.interpreter.compiler.shapes import EXPRESSIONS
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.runtime.places import MACRO_PREFIX
-
-FILE_FUNCTION = "file_items"
-"""The Python name of the function that does what stands in the file outside macros."""
-
-
-@dataclass(frozen=True, slots=True)
-class Program:
-    """A compiled file: run ``code`` in a namespace where the symbols and constants stand, then call `FILE_FUNCTION`."""
-
-    path: str
-    code: CodeType
-    symbols: tuple[str, ...]
-    constants: tuple[Any, ...]
-
 
 class FileBody(Directives):
     """The items of a file."""
@@ -206,7 +190,7 @@ def compile_file(file: tree.File) -> Program:
         body.enter_scope()
         body.items(file.items)
         body.leave_scope()
-        main = body.emit.function(FILE_FUNCTION, (), body.statements, opens=False)
+        main = body.emit.function(ENTRY, (), body.statements, opens=False)
         module = ast.Module([*unit.functions, main], [])
         code = compile(module, file.path, "exec", dont_inherit=True, optimize=1)
     except (RecursionError, SyntaxError, MemoryError) as error:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Sequence
-from typing import Any
 
 from minipov.grammar import tree
 from minipov.interpreter.compiler.constants import Plain, plain_array
@@ -101,7 +100,10 @@ class Items(FunctionLiterals):
 
     def _item(self, item: tree.Item, run: Run) -> None:
         known = constant(item)
-        if known is not None:
+        if self.gathering and has_open_terms(item):
+            self.flush(run)
+            self._push_terms(item)  # type: ignore[arg-type]  # only expressions have open terms
+        elif known is not None:
             run.add(("vector", tuple(known)) if isinstance(known, tuple) else known, None, self.at(item))
         elif isinstance(item, tree.Call):
             self.flush(run)
@@ -126,6 +128,9 @@ class Items(FunctionLiterals):
             case tree.LooseBrace(opening=opening):
                 self.emit.at(item)
                 self.do("open_brace" if opening else "close_block", self.place(item))
+            case tree.LooseParen():
+                self.emit.at(item)
+                self.do("end_write")
             case tree.Bracket(items=items):
                 self.emit.at(item)
                 self.do("open_bracket", self.place(item))
@@ -158,15 +163,17 @@ class Items(FunctionLiterals):
     def _both_ways(self, item: tree.Expression) -> tuple[list[ast.stmt], list[ast.stmt]]:
         """Pushing the open terms of an expression, and pushing its value."""
         with self.block() as opened:
-            tokens = self.open_terms(item)
-            self.emit.at(item)
-            places = self.emit.binary(self.emit.tuple([self.place(item)]), ast.Mult(), self.emit.constant(len(tokens)))
-            self.do("extend", self.emit.tuple(tokens), places)
+            self._push_terms(item)
         with self.block() as closed:
             value = self.expression(item)
             self.emit.at(item)
             self.do("push_all" if may_splice(item) else "push", value, self.place(item))
         return opened, closed
+
+    def _push_terms(self, item: tree.Expression) -> None:
+        tokens = self.open_terms(item)
+        self.emit.at(item)
+        self.do("extend", self.emit.tuple(tokens), self.emit.constant((self.at(item),) * len(tokens)))
 
     def open_terms(self, node: tree.Expression) -> list[ast.expr]:
         """An expression as a row of values and operators."""
@@ -188,8 +195,6 @@ class Items(FunctionLiterals):
 _SIGNS: dict[str, str] = {"+": "PLUS", "-": "MINUS", "*": "TIMES", "/": "OVER", "!": "NOT"}
 
 
-def has_open_terms(node: Any) -> bool:
+def has_open_terms(node: tree.Item) -> bool:
     """Whether an operator stands outside all parentheses of an expression."""
-    if constant(node) is not None and isinstance(node, tree.Number | tree.Vector | tree.String | tree.ConstantWord):
-        return False
     return isinstance(node, tree.Unary) or (isinstance(node, tree.Binary) and node.operator in _SIGNS)

@@ -21,11 +21,12 @@ CONSTANT_WORDS: Final[dict[str, Any]] = {
 ARITHMETIC: Final = frozenset("+-*/")
 EXPRESSIONS: Final = (
     tree.Number, tree.String, tree.Name, tree.ConstantWord, tree.Vector, tree.Unary, tree.Binary, tree.Conditional,
-    tree.Paren, tree.Member, tree.Subscript, tree.Call, tree.BuiltinCall, tree.FunctionLiteral,
+    tree.Paren, tree.Group, tree.Member, tree.Subscript, tree.Call, tree.BuiltinCall, tree.FunctionLiteral,
 )  # fmt: skip
 DIRECTIVES: Final = (
     tree.Declare, tree.Undef, tree.Include, tree.If, tree.Switch, tree.While, tree.For, tree.Break, tree.Macro,
-    tree.Default, tree.Version, tree.Print, tree.FileOpen, tree.FileClose, tree.FileRead, tree.FileWrite, tree.Obsolete,
+    tree.Default, tree.Version, tree.Print, tree.FileOpen, tree.FileClose, tree.FileRead, tree.FileWrite, tree.FileWriteOpen,
+    tree.Obsolete,
 )  # fmt: skip
 
 

@@ -13,7 +13,7 @@ from minipov.interpreter.runtime.macros import Macro
 from minipov.interpreter.runtime.names import Cell, ElementCell, Symbol
 from minipov.interpreter.runtime.rvalues import rvalue
 from minipov.interpreter.runtime.signature import BUILTINS
-from minipov.interpreter.runtime.splice import items_of
+from minipov.interpreter.runtime.splice import Spliced, items_of
 from minipov.interpreter.values import Vector, kind_of
 
 
@@ -125,4 +125,9 @@ def spliced_vector(terms: tuple[Any, ...]) -> Vector:
 
 def gathered_vector(sink: Sink) -> Vector:
     """``< ... >`` with directives among the terms."""
-    return vector(*_single_values(sink.items))
+    return vector(*_single_values(Spliced(sink.items).items()))
+
+
+def gathered_value(sink: Sink) -> Any:
+    """``( ... )`` with directives among the terms."""
+    return Spliced(sink.items).value()

@@ -7,7 +7,7 @@ from typing import Any
 
 from minipov.interpreter.arrays import UNSET, Array, copied, subscript
 from minipov.interpreter.errors import Place, SdlError
-from minipov.interpreter.items import Item, Sink
+from minipov.interpreter.items import Item, Punctuation, Sink, Word
 from minipov.interpreter.runtime import calls, evaluate, objects, operators, pending, splice, strings, vectors
 from minipov.interpreter.runtime.macros import Macro
 from minipov.interpreter.runtime.names import Cell, FixedCell, Symbol
@@ -22,6 +22,7 @@ _PLAIN: dict[str, Any] = {
     **{name: getattr(calls, name) for name in (
         "fail", "missing_argument", "call", "element", "holds", "call_gathered", "call_spread", "builtin_spread",
         "builtin_gathered", "rvalue_of", "rvalue_in", "values_in_call", "vector", "spliced_vector", "gathered_vector",
+        "gathered_value",
     )},
     **{name: getattr(operators, name) for name in (
         "divide", "not_", "equal", "unequal", "less_equal", "greater_equal", "both", "either", "choose", "truth",
@@ -102,6 +103,7 @@ def unended(value: Any, version: float) -> Any:
 def library(running: Running) -> dict[str, Any]:
     """The table for one run."""
     blocks = running.blocks
+    writing: list[Symbol] = []
 
     def push_all(operand: Any, place: Place) -> None:
         for item in splice.items_of(operand):
@@ -113,6 +115,23 @@ def library(running: Running) -> dict[str, Any]:
     def write_gathered(symbol: Symbol, sink: Sink, binary: str | None) -> None:
         for item in sink.items:
             running.write_file(symbol, item, binary)
+
+    def begin_write(symbol: Symbol, place: Place) -> None:
+        blocks.collect("write", place)
+        writing.append(symbol)
+
+    def end_write() -> None:
+        sink = blocks.sink
+        if sink.name != "write":
+            raise SdlError("there is no open '(' for this ')'")
+        blocks.collected(sink)
+        symbol = writing.pop()
+        binary: str | None = None
+        for item in sink.items:
+            if isinstance(item, Word | Punctuation):
+                binary = item.name if isinstance(item, Word) else None
+            else:
+                running.write_file(symbol, item, binary)
 
     def define_macro(symbol: Symbol, parameters: tuple[str, ...], least: int, function: Any, returns: bool) -> None:
         if symbol.declared and not isinstance(symbol.c.v, Macro):
@@ -128,7 +147,7 @@ def library(running: Running) -> dict[str, Any]:
     names = dict(_PLAIN)
     names.update((f"f_{b.name}", partial(b.call, running) if b.runtime else b.call) for b in BUILTINS.values())
     names.update((f.__name__, f) for f in (is_case, in_range, loop_step, loop_goes_on, array, filled_array, array_elements))
-    names.update((f.__name__, f) for f in (push, extend, push_all, begin_declaration, write_gathered, define_macro))
+    names.update((f.__name__, f) for f in (push, extend, push_all, begin_declaration, write_gathered, define_macro, begin_write, end_write))
     names.update((name, getattr(running, name)) for name in _OF_RUNNING)
     names |= {
         "open_block": blocks.open,

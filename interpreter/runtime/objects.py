@@ -13,10 +13,24 @@ from minipov.tracer.pattern import ImageMap
 from minipov.tracer.pigment import Pigment
 
 
-def _object(value: Any) -> Object:
-    if isinstance(value, Object):
-        return value
-    raise SdlError(f"expected an object, found {kind_of(value)}")
+_asked: dict[int, tuple[Object, Any]] = {}
+_MOST_KEPT = 16
+
+
+def _question(value: Any) -> Any:
+    """An object made ready for questions; the last few are kept, since scenes ask one object many times."""
+    known = _asked.get(id(value))
+    if known is not None and known[0] is value:
+        return known[1]
+    if not isinstance(value, Object):
+        raise SdlError(f"expected an object, found {kind_of(value)}")
+    from minipov.tracer import _core
+
+    question = _core.Question(value)
+    while len(_asked) >= _MOST_KEPT:
+        del _asked[next(iter(_asked))]
+    _asked[id(value)] = (value, question)
+    return question
 
 
 @builtin("dimensions", 1)
@@ -43,17 +57,13 @@ def _array(value: Any) -> Array:
 @builtin("inside", 2)
 def inside(thing: Any, point: Any) -> float:
     """Whether a point is inside an object."""
-    from minipov.tracer import _core
-
-    return float(_core.inside(_object(thing), tuple(vector3(point))))
+    return float(_question(thing).inside(tuple(vector3(point))))
 
 
 @builtin("trace", 3, 4)
 def trace(thing: Any, start: Any, direction: Any, normal: Any = None) -> Vector:
     """The first point of an object that a ray meets, zero if none; the normal there goes into the fourth argument."""
-    from minipov.tracer import _core
-
-    hit = _core.trace(_object(thing), tuple(vector3(start)), tuple(vector3(direction)))
+    hit = _question(thing).trace(tuple(vector3(start)), tuple(vector3(direction)))
     point, at = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)) if hit is None else hit
     if normal is not None:
         normal.v = Vector(at)
@@ -64,9 +74,7 @@ def _extent(thing: Any, corner: int) -> Vector:
     if isinstance(thing, Pigment) and isinstance(thing.pattern, ImageMap):
         height, width = thing.pattern.mapping.image.color.shape[:2]
         return Vector((float(width), float(height), 0.0)) if corner else Vector((0.0, 0.0, 0.0))
-    from minipov.tracer import _core
-
-    return Vector(_core.extent(_object(thing))[corner])
+    return Vector(_question(thing).extents()[corner])
 
 
 @builtin("min_extent", 1)

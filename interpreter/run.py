@@ -1,0 +1,121 @@
+"""Running a compiled scene, from its text to a `Scene`; Python's own exceptions become `SdlError`."""
+
+from __future__ import annotations
+
+import sys
+import threading
+from collections.abc import Callable
+from contextvars import copy_context
+from pathlib import Path
+from typing import Any, TypeVar
+
+from minipov.interpreter.cache import compiled
+from minipov.interpreter.context import Context, Options, SceneBuilder, set_current_context
+from minipov.interpreter.errors import NOWHERE, Messages, SdlError
+from minipov.interpreter.runtime.faults import explained
+from minipov.interpreter.runtime.library import library
+from minipov.interpreter.runtime.program import Running
+from minipov.interpreter.runtime.search import FileSearch
+from minipov.tracer.camera import Camera
+from minipov.tracer.scene import Scene
+
+T = TypeVar("T")
+
+DEEPEST_RECURSION = 20_000
+"""How many calls may be open in a running scene; beyond, a macro calls itself without end."""
+
+_STACK_BYTES = 512 * 1024 * 1024
+
+
+def load(path: str | Path, options: Options | None = None, messages: Messages | None = None) -> Scene:
+    """The scene of a file.
+
+    Raises:
+        SdlError: the scene cannot be read; its place says where.
+    """
+    try:
+        content = Path(path).read_bytes()
+    except OSError as error:
+        raise SdlError(f"cannot read '{path}': {error.strerror or error}") from None
+    return _run(str(path), content, options or Options(), messages or Messages(), Path(path).parent)
+
+
+def load_text(
+    text: str, name: str = "scene.pov", options: Options | None = None, messages: Messages | None = None
+) -> Scene:
+    """The scene of a text; ``name`` stands in messages, and includes are searched beside it.
+
+    Raises:
+        SdlError: the scene cannot be read; its place says where.
+    """
+    return _run(name, text.encode(), options or Options(), messages or Messages(), Path(name).parent)
+
+
+def _run(name: str, content: bytes, options: Options, messages: Messages, folder: Path) -> Scene:
+    search = FileSearch(options.library_paths, options.files, [folder])
+    context = Context(options, messages, search.find)
+    if options.version is not None:
+        context.version = options.version
+    return _with_deep_stack(lambda: _read(name, content, context, search))
+
+
+def _read(name: str, content: bytes, context: Context, search: FileSearch) -> Scene:
+    set_current_context(context)
+    running = Running(context, search, compiled)
+    running.input_file_name = name
+    running.library = library(running)
+    try:
+        running.run(name, content)
+        running.blocks.finish(NOWHERE)
+    except Exception as error:
+        raise explained(error, running.sources) from None
+    finally:
+        running.files.close_all()
+    return built(context.scene, context)
+
+
+def built(scene: SceneBuilder, context: Context) -> Scene:
+    """The finished scene."""
+    return Scene(
+        objects=tuple(scene.objects),
+        lights=tuple(scene.lights),
+        camera=scene.camera or context.default_camera or Camera(),
+        fogs=tuple(scene.fogs),
+        rainbows=tuple(scene.rainbows),
+        sky_sphere=scene.sky_sphere,
+        media=tuple(scene.media),
+        settings=scene.settings,
+        default_texture=context.default_texture,
+        version=context.version,
+        **({} if scene.background is None else {"background": scene.background}),
+    )
+
+
+def _with_deep_stack(work: Callable[[], T]) -> T:
+    """Run in a thread whose stack holds deep recursion."""
+    outcome: list[Any] = []
+
+    def run() -> None:
+        limit = sys.getrecursionlimit()
+        sys.setrecursionlimit(max(limit, DEEPEST_RECURSION))
+        try:
+            outcome.extend((True, work()))
+        except BaseException as error:
+            outcome.extend((False, error))
+        finally:
+            sys.setrecursionlimit(limit)
+
+    size = threading.stack_size(_STACK_BYTES)
+    try:
+        thread = threading.Thread(target=copy_context().run, args=(run,), name="minipov scene", daemon=True)
+        thread.start()
+    finally:
+        threading.stack_size(size)
+    while thread.is_alive():
+        thread.join(0.2)
+    succeeded, result = outcome
+    if not succeeded:
+        raise result
+    return result  # type: ignore[no-any-return]  # what work gave
+
+
