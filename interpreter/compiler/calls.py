@@ -14,7 +14,7 @@ from minipov.grammar import tree
 from minipov.interpreter.compiler.expressions import Expressions
 from minipov.interpreter.compiler.shapes import EXPRESSIONS, argument_groups, constant, may_splice
 from minipov.interpreter.errors import SdlError
-from minipov.interpreter.runtime.signature import BUILTINS
+from minipov.interpreter.runtime.builtins import BUILTINS
 
 _TESTS: Final = frozenset({"defined"})
 _NAMED: Final = frozenset({"trace"})
@@ -120,10 +120,9 @@ class Calls(Expressions):
             sink = self.emit.name(self.gather(node.items, "argument", node))
             return self.emit.at(node).call("builtin_gathered", self.emit.constant(node.name), name, sink)
         parts: list[tree.Expression] = [group[0] for group in groups]  # type: ignore[misc]  # expressions, as just seen
-        if len(parts) < builtin.least and any(map(may_splice, parts)):
-            values = [self.expression(part) for part in parts]
-            self.emit.at(node)
-            return self.emit.call("builtin_spread", self.emit.constant(node.name), name, self.emit.tuple(values))
+        if not builtin.least <= len(parts) <= builtin.most and any(map(may_splice, parts)):
+            tokens = self.tokens(node.items)
+            return self.emit.at(node).call("builtin_spread", self.emit.constant(node.name), name, tokens)
         if not builtin.least <= len(parts) <= builtin.most:
             return self._failing(SdlError(count_message(node.name, len(parts))), node)
         values = [self._builtin_argument(node.name, number, part) for number, part in enumerate(parts)]

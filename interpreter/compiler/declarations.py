@@ -143,6 +143,7 @@ class Declarations(ArrayLiterals):
             self.add(self.emit.set(self.symbol(name), "c", self.emit.name(f"l_{name}")))
         for name in sorted(self.local_names - set(self.parameters)):
             self.add(self.emit.assign(f"l_{name}", self.emit.constant(None)))
+            self.add(self.emit.assign(f"o_{name}", self.emit.constant(None)))
 
     def leave_scope(self) -> None:
         """The end of a function: names mean again what they meant before."""

@@ -153,11 +153,22 @@ class Expressions(Body):
         parts = [item for item in node.items if not is_comma(item)]
         if not all(isinstance(part, EXPRESSIONS) for part in parts):
             return self._gathered(node)
+        if any(map(may_splice, parts)):
+            tokens = self.tokens(node.items)
+            return self.emit.at(node).call("spliced_vector", tokens)
         terms = [self.expression(part) for part in parts]  # type: ignore[arg-type]  # expressions, as just seen
         self.emit.at(node)
-        if any(map(may_splice, parts)):
-            return self.emit.call("spliced_vector", self.emit.tuple(terms))
         return self.emit.call("vector", *terms)
+
+    def tokens(self, items: Sequence[tree.Item]) -> ast.expr:
+        """Expressions and the commas between them, as a tuple; macros may have left more in them."""
+        values = []
+        for item in items:
+            if is_comma(item):
+                values.append(self.emit.at(item).name(self.unit.constants.add(("punctuation", ","))))
+            else:
+                values.append(self.expression(item))  # type: ignore[arg-type]  # only expressions and commas are asked for
+        return self.emit.tuple(values)
 
     def _gathered(self, node: tree.Vector) -> ast.expr:
         """A vector with directives among its terms."""

@@ -12,8 +12,8 @@ from minipov.interpreter.runtime.evaluate import call_function
 from minipov.interpreter.runtime.macros import Macro
 from minipov.interpreter.runtime.names import Cell, ElementCell, Symbol
 from minipov.interpreter.runtime.rvalues import rvalue
-from minipov.interpreter.runtime.signature import BUILTINS
-from minipov.interpreter.runtime.splice import Spliced, items_of
+from minipov.interpreter.runtime.builtins import BUILTINS
+from minipov.interpreter.runtime.splice import Spliced, items_of, joined
 from minipov.interpreter.values import Vector, kind_of
 
 
@@ -75,7 +75,7 @@ def _call_with(cells: list[Any], callee: Any, way: str) -> Any:
 
 def builtin_spread(name: str, function: Callable[..., Any], values: tuple[Any, ...]) -> Any:
     """A function of the language, among whose arguments a macro may have given several."""
-    arguments = [item for value in values for item in items_of(value) if item is not COMMA]
+    arguments = _single_values(joined(values))
     builtin = BUILTINS[name]
     if not builtin.least <= len(arguments) <= builtin.most:
         fail(f"{name}() takes {builtin.least} arguments, found {len(arguments)}")
@@ -120,7 +120,7 @@ def vector(*terms: Any) -> Vector:
 
 def spliced_vector(terms: tuple[Any, ...]) -> Vector:
     """``<a, M(), c>`` where macros may give several terms."""
-    return vector(*(item for term in terms for item in items_of(term) if item is not COMMA))
+    return vector(*_single_values(joined(terms)))
 
 
 def gathered_vector(sink: Sink) -> Vector:

@@ -8,15 +8,13 @@ from typing import Any
 from minipov.interpreter.arrays import UNSET, Array, copied, subscript
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import Item, Punctuation, Sink, Word
-from minipov.interpreter.runtime import calls, evaluate, objects, operators, pending, splice, strings, vectors
+from minipov.interpreter.runtime import calls, evaluate, operators, pending, splice
 from minipov.interpreter.runtime.macros import Macro
 from minipov.interpreter.runtime.names import Cell, FixedCell, Symbol
 from minipov.interpreter.runtime.program import Running
-from minipov.interpreter.runtime.signature import BUILTINS
+from minipov.interpreter.runtime.builtins import BUILTINS
 from minipov.interpreter.values import EPSILON, Vector, kind_of
 from minipov.tracer import function
-
-assert strings and vectors and objects  # importing them fills the table of functions
 
 _PLAIN: dict[str, Any] = {
     **{name: getattr(calls, name) for name in (

@@ -6,7 +6,7 @@ A macro's body replaces its call, as text does. So what it leaves keeps its open
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any, Final
 
 from minipov.interpreter.errors import SdlError
@@ -100,6 +100,11 @@ def value_of(operand: Any) -> Any:
 def items_of(operand: Any) -> list[Any]:
     """An operand where any number of items may stand."""
     return operand.items() if operand.__class__ is Spliced else [operand]
+
+
+def joined(operands: Iterable[Any]) -> list[Any]:
+    """The items that operands in a row make: ``5 M()`` is one sum if M's body is ``+ 1``."""
+    return list(_worked_out([token for operand in operands for token in _tokens(operand)]))
 
 
 def _tokens(operand: Any) -> list[Any]:
