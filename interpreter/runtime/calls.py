@@ -28,7 +28,11 @@ def missing_argument() -> NoReturn:
 
 
 def call(callee: Any, *values: Any) -> Any:
-    """A call of what is no macro of that many arguments."""
+    """A call of what is no macro of that many arguments; one argument may turn out to be several."""
+    if any(value.__class__ is Spliced for value in values):
+        values = tuple(_single_values([item for value in values for item in items_of(value)]))
+        if isinstance(callee, Macro) and callee.arity == len(values):
+            return callee.value(*map(Cell, values))
     if isinstance(callee, Macro):
         callee(*values)
     return call_function(callee, values)
@@ -92,6 +96,8 @@ def rvalue_of(called: tuple[list[Item], list[Place]], what: str, place: Place) -
     items, places = called
     if len(items) == 1 and items[0].__class__ in (float, Vector, str):
         return items[0]
+    if COMMA in items and what == "argument":
+        return Spliced(items)
     return rvalue(items, places, what, place)
 
 
