@@ -117,5 +117,3 @@ def _with_deep_stack(work: Callable[[], T]) -> T:
     if not succeeded:
         raise result
     return result  # type: ignore[no-any-return]  # what work gave
-
-

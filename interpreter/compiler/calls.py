@@ -51,9 +51,7 @@ class Calls(Expressions):
             return self.emit.call("call_spread", callee, self.emit.constant(way), *first, cells)
         called = self.unit.unique("m")
         test = self._is_macro(self.emit.named(called, callee), called, len(arguments), first)
-        macro = self.emit.call(
-            self.emit.attribute(self.emit.name(called), way), *[cell for cell, _ in arguments]
-        )
+        macro = self.emit.call(self.emit.attribute(self.emit.name(called), way), *[cell for cell, _ in arguments])
         other = self.emit.call("call", self.emit.name(called), *[value for _, value in arguments])
         if way == "run":
             other = self.emit.call("push_all", other, self.place(node))

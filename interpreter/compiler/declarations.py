@@ -105,7 +105,9 @@ class Declarations(ArrayLiterals):
             method = self.emit.attribute(container, "assign")
             self.add(self.emit.do(self.emit.call(method, self.emit.name(name), *indices)))
         elif not isinstance(target, tree.Name):
-            self.add(self.emit.do(self.emit.call("fail", self.emit.constant("expected a name"), self.emit.constant(None))))
+            self.add(
+                self.emit.do(self.emit.call("fail", self.emit.constant("expected a name"), self.emit.constant(None)))
+            )
         elif local and target.name in self.local_names:
             self._assign_local(target.name, value, fixed)
         else:
@@ -175,7 +177,9 @@ def local_names(items: Sequence[tree.Item]) -> Iterator[str]:
             case tree.Switch(cases=cases):
                 for case in cases:
                     yield from local_names(case.items)
-            case tree.While(items=inner) | tree.Block(items=inner) | tree.Bracket(items=inner) | tree.Vector(items=inner):
+            case (
+                tree.While(items=inner) | tree.Block(items=inner) | tree.Bracket(items=inner) | tree.Vector(items=inner)
+            ):
                 yield from local_names(inner)
             case tree.Call(items=inner) | tree.BuiltinCall(items=inner) | tree.FunctionBlock(items=inner):
                 yield from local_names(inner)

@@ -139,5 +139,3 @@ class Emitter:
             defaults.append(self.constant(True))
         signature = ast.arguments([], arguments, None, [], [], None, defaults)
         return ast.FunctionDef(name, signature, body or [self.nothing()], [], **self._place)
-
-

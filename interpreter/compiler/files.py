@@ -15,6 +15,7 @@ from minipov.interpreter.compiler.shapes import EXPRESSIONS
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.runtime.places import MACRO_PREFIX
 
+
 class FileBody(Directives):
     """The items of a file."""
 
@@ -196,5 +197,3 @@ def compile_file(file: tree.File) -> Program:
     except (RecursionError, SyntaxError, MemoryError) as error:
         raise SdlError(f"this file is nested too deeply ({error})", (file.path, 1, 1)) from None
     return Program(file.path, code, tuple(sorted(unit.symbols)), tuple(unit.constants.plain))
-
-

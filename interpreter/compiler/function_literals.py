@@ -19,7 +19,9 @@ _DEFAULT_PARAMETERS: Final = ("x", "y", "z")
 _ALIASES: Final = {"u": "x", "v": "y"}
 FLOAT_FUNCTIONS: Final = {
     **dict.fromkeys(
-        ("abs acos acosh asin asinh atan atanh ceil cos cosh degrees exp floor int ln log radians sin sinh sqrt tan tanh").split(),
+        (
+            "abs acos acosh asin asinh atan atanh ceil cos cosh degrees exp floor int ln log radians sin sinh sqrt tan tanh"
+        ).split(),
         (1, 1),
     ),
     **dict.fromkeys(("atan2", "mod", "pow"), (2, 2)),
@@ -141,5 +143,3 @@ class FunctionLiterals(Calls):
 
     def _refused(self, message: str, node: tree.Node) -> ast.expr:
         return self._failing(SdlError(message), node)
-
-

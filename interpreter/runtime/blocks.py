@@ -120,7 +120,9 @@ class Blocks:
     def finish(self, place: Place) -> None:
         """The scene ends here: complain of what is still open."""
         if self.sink is not self.file:
-            raise SdlError(f"'}}' is missing for '{self.sink.name}'", self.sink.place, "the block opened here never ends")
+            raise SdlError(
+                f"'}}' is missing for '{self.sink.name}'", self.sink.place, "the block opened here never ends"
+            )
         self.file.settle()
 
 

@@ -104,7 +104,9 @@ def captured(value: Any) -> Constant:
     if isinstance(value, float | int):
         return Constant(float(value))
     hint = "a vector can stand in a function only by its components, kept in variables of their own"
-    raise SdlError(f"expected a number in the function, found {kind_of(value)}", hint=hint if isinstance(value, Vector) else None)
+    raise SdlError(
+        f"expected a number in the function, found {kind_of(value)}", hint=hint if isinstance(value, Vector) else None
+    )
 
 
 def function_call(callee: Any, arguments: tuple[Expression, ...], component: int | None) -> Expression:
@@ -137,8 +139,6 @@ def internal_function(number: float) -> InternalFunction:
     if not 0 <= int(number) <= 78:
         raise SdlError(f"there is no internal function {number:g}", hint="they are numbered 0 to 78")
     return InternalFunction(int(number))
-
-
 
 
 def block_function(sink: Sink) -> Function:

@@ -60,7 +60,9 @@ def _in_words(error: Exception) -> tuple[str, str | None]:
     if match := _ATTRIBUTE.search(text):
         return _no_attribute(match[1], match[2])
     if match := _OPERANDS.search(text):
-        return f"{_kind(match[2])} and {_kind(match[3])} cannot be joined by '{match[1]}'", _hint_for(match[2], match[3])
+        return f"{_kind(match[2])} and {_kind(match[3])} cannot be joined by '{match[1]}'", _hint_for(
+            match[2], match[3]
+        )
     if match := _UNARY.search(text):
         return f"'{match[1].removeprefix('unary ')}' does not go with {_kind(match[2])}", None
     if match := _COMPARED.search(text):

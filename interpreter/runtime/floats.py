@@ -188,5 +188,3 @@ def rand(runtime: Any, stream: float) -> float:
         raise SdlError(f"there is no stream {at} of random numbers", hint="open one with seed()")
     streams[at] = state = (streams[at] * 1812433253 + 12345) & 0xFFFFFFFF
     return state / 0xFFFFFFFF
-
-

@@ -94,7 +94,9 @@ def array_elements(sink: Sink) -> list[Any]:
 def unended(value: Any, version: float) -> Any:
     """The value of a declaration that no semicolon ends: from ``#version`` 3.5 on, numbers and strings need one."""
     if isinstance(value, float | Vector) and version >= 3.5:
-        raise SdlError("expected ';' after this declaration", hint="declarations of numbers, vectors and colours end with ';'")
+        raise SdlError(
+            "expected ';' after this declaration", hint="declarations of numbers, vectors and colours end with ';'"
+        )
     return value
 
 
@@ -108,7 +110,9 @@ def library(running: Running) -> dict[str, Any]:
             blocks.sink.push(item, place)
 
     def begin_declaration(take: Any, place: Place, count: int) -> None:
-        blocks.sink = pending.TupleSink(blocks, take, place, count) if count else pending.DeclarationSink(blocks, take, place)
+        blocks.sink = (
+            pending.TupleSink(blocks, take, place, count) if count else pending.DeclarationSink(blocks, take, place)
+        )
 
     def write_gathered(symbol: Symbol, sink: Sink, binary: str | None) -> None:
         for item in sink.items:
@@ -144,8 +148,13 @@ def library(running: Running) -> dict[str, Any]:
 
     names = dict(_PLAIN)
     names.update((f"f_{b.name}", partial(b.call, running) if b.runtime else b.call) for b in BUILTINS.values())
-    names.update((f.__name__, f) for f in (is_case, in_range, loop_step, loop_goes_on, array, filled_array, array_elements))
-    names.update((f.__name__, f) for f in (push, extend, push_all, begin_declaration, write_gathered, define_macro, begin_write, end_write))
+    names.update(
+        (f.__name__, f) for f in (is_case, in_range, loop_step, loop_goes_on, array, filled_array, array_elements)
+    )
+    names.update(
+        (f.__name__, f)
+        for f in (push, extend, push_all, begin_declaration, write_gathered, define_macro, begin_write, end_write)
+    )
     names.update((name, getattr(running, name)) for name in _OF_RUNNING)
     names |= {
         "open_block": blocks.open,
@@ -165,5 +174,3 @@ _OF_RUNNING = (
     "include", "print_debug", "print_warning", "print_error", "obsolete", "obsolete_setting", "set_version", "variable",
     "open_file", "close_file", "read_file", "check_kind", "end_read", "write_file",
 )  # fmt: skip
-
-

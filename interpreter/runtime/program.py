@@ -128,7 +128,9 @@ class Running:
         if number >= 10:
             number /= 100
         if number > NEWEST + 1e-6:
-            raise SdlError(f"#version {number:g} is newer than this program knows", place, hint=f"up to {NEWEST} is known")
+            raise SdlError(
+                f"#version {number:g} is newer than this program knows", place, hint=f"up to {NEWEST} is known"
+            )
         self.context.version = number
 
     def variable(self, name: str) -> Any:
@@ -193,5 +195,3 @@ class Running:
     def find_file(self, name: str, extensions: tuple[str, ...]) -> Path | None:
         """Search a file as ``#include`` does."""
         return self.search.find(name, extensions)
-
-

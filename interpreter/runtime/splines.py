@@ -91,7 +91,9 @@ def _quadratic(parameters: list[float], values: list[Five], i: int, at: float) -
         (at - p) * (at - r) / ((q - p) * (q - r)),
         (at - p) * (at - q) / ((r - p) * (r - q)),
     )
-    return tuple(sum(w * v for w, v in zip(weights, terms, strict=True)) for terms in zip(*values[i - 1 : i + 2], strict=True))
+    return tuple(
+        sum(w * v for w, v in zip(weights, terms, strict=True)) for terms in zip(*values[i - 1 : i + 2], strict=True)
+    )
 
 
 def _cubic(parameters: list[float], values: list[Five], i: int, at: float) -> tuple[float, ...]:
