@@ -57,7 +57,7 @@ pub struct Looks {
     /// Whether `Geometry::texture_weights` must be asked which textures are seen: meshes and blobs with several.
     pub several_textures: bool,
     /// The textures of the parts of a mesh or blob, in the order of its own list.
-    pub part_textures: Arc<[u32]>,
+    pub part_textures: Arc<[Option<u32>]>,
     /// Neither the node nor anything around it has a texture.
     pub untextured: bool,
     /// The CSG whose `cutaway_textures` dresses this node, which has no texture of its own.
@@ -75,6 +75,6 @@ pub struct Looks {
 impl Looks {
     /// The texture of a part; that of the whole where the part has none.
     pub fn part_texture(&self, part: i32) -> Option<u32> {
-        usize::try_from(part).ok().and_then(|i| self.part_textures.get(i).copied()).or(self.texture)
+        usize::try_from(part).ok().and_then(|i| *self.part_textures.get(i)?).or(self.texture)
     }
 }

@@ -7,7 +7,8 @@ use crate::graph;
 use crate::math::{Transform, Vec3};
 use crate::mesh::Mesh;
 use crate::shape::{
-    frame, Cone, Cuboid, Disc, Plane, Poly, Polygon, Quadric, Shape, Sphere, Torus, Triangle,
+    closed_curves, frame, segments, Blob, Cone, Cuboid, Disc, HeightField, Lathe, Plane, Poly, Polygon,
+    Prism, Quadric, Shape, Sor, Sphere, Superellipsoid, Torus, Triangle,
 };
 
 /// A primitive with the transform that could not be worked into it.
@@ -87,6 +88,24 @@ impl Placer {
             S::Mesh(s) => {
                 let mesh = self.meshes.entry(s.address()).or_insert_with(|| Arc::new(Mesh::new(s)));
                 placed(Shape::Mesh(mesh.clone()))
+            }
+            S::Prism(s) => {
+                let curves = closed_curves(s.spline, &s.points);
+                let conic = s.sweep == graph::shapes::Sweep::Conic;
+                let prism = Prism::new(curves, [s.height1, s.height2], conic, s.open);
+                let bezier = s.spline == graph::shapes::SplineKind::Bezier;
+                placed(Shape::Prism(Arc::new(if bezier { prism.reversed() } else { prism })))
+            }
+            S::Lathe(s) => placed(Shape::Lathe(Arc::new(Lathe::new(segments(s.spline, &s.points))))),
+            S::Sor(s) => match Sor::new(&s.points, s.open) {
+                Some(sor) => placed(Shape::Sor(Arc::new(sor))),
+                None => Err("sor without a piece".into()),
+            },
+            S::Superellipsoid(s) => placed(Superellipsoid::new(s.e, s.n).into()),
+            S::Blob(s) => placed(Shape::Blob(Arc::new(Blob::new(s)))),
+            S::HeightField(s) => {
+                let field = HeightField::new(&s.heights, s.columns, s.rows, s.water_level, s.smooth);
+                placed(Shape::HeightField(Arc::new(field.ok_or("height_field without a cell")?)))
             }
             other => Err(other.name().to_lowercase()),
         }

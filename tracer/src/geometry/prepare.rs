@@ -158,17 +158,17 @@ impl Preparation {
 
     /// The textures that parts of the shape wear; they stand in the shape's own space.
     fn add_part_textures(&mut self, shape: &graph::Shape, to_world: &Transform, looks: &mut Looks) {
-        let textures = match shape {
-            graph::Shape::Mesh(mesh) => &mesh.textures,
-            _ => return,
-        };
-        if textures.is_empty() {
-            return;
-        }
         let space = (!to_world.is_identity()).then(|| Arc::new(*to_world));
         let (list, index) = (&mut self.geometry.textures, &mut self.texture_index);
-        looks.part_textures = textures.iter().map(|item| find_or_add(list, index, item, &space)).collect();
-        looks.several_textures = true;
+        let mut add = |item: &Shared<graph::Texture>| find_or_add(list, index, item, &space);
+        looks.part_textures = match shape {
+            graph::Shape::Mesh(mesh) => mesh.textures.iter().map(|item| Some(add(item))).collect(),
+            graph::Shape::Blob(blob) if blob.components.iter().any(|c| c.texture.is_some()) => {
+                blob.components.iter().map(|c| c.texture.as_ref().map(&mut add)).collect()
+            }
+            _ => return,
+        };
+        looks.several_textures = !looks.part_textures.is_empty();
     }
 
     fn add_composite(

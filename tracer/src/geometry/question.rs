@@ -71,7 +71,8 @@ mod tests {
         let tube = Cylinder { base: Vec3::ZERO, cap: vec3(1.0, 1.0, 0.0), radius: 1.0, open: false };
         let extents = Questioned::new(&Object::new(tube)).extents();
         assert!(
-            close(extents.min, vec3(-1.0, -1.0, -1.414214)) && close(extents.max, vec3(2.0, 2.0, 1.414214))
+            close(extents.min, vec3(-1.0, -1.0, -2f64.sqrt()))
+                && close(extents.max, vec3(2.0, 2.0, 2f64.sqrt()))
         );
 
         let plane = |normal, distance| Object::new(Plane { normal, distance });

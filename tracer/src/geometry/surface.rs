@@ -52,11 +52,18 @@ impl Geometry {
     }
 
     /// The textures seen at a hit with their shares, for nodes whose looks say `several_textures`.
-    pub fn texture_weights(&self, hit: &Hit, _point: Vec3, weights: &mut Vec<(Option<u32>, f64)>) {
+    pub fn texture_weights(&self, hit: &Hit, point: Vec3, weights: &mut Vec<(Option<u32>, f64)>) {
         weights.clear();
         let looks = self.looks(hit.node);
-        let Solid::Primitive { shape: Shape::Mesh(mesh), .. } = &self.nodes[hit.node as usize].solid else {
-            return weights.push((looks.texture, 1.0));
+        let mesh = match &self.nodes[hit.node as usize].solid {
+            Solid::Primitive { shape: Shape::Mesh(mesh), .. } => mesh,
+            Solid::Primitive { shape: Shape::Blob(blob), place } => {
+                let local = place.as_ref().map_or(point, |place| place.inverse_point(point));
+                let shares = blob.component_shares(local);
+                return weights
+                    .extend(shares.iter().map(|&(i, share)| (looks.part_texture(i as i32), share)));
+            }
+            _ => return weights.push((looks.texture, 1.0)),
         };
         match mesh.texture_shares(&hit.crossing) {
             // A face of one texture is the rule.

@@ -4,27 +4,41 @@
 //! when it is taken, the old limit when it is refused (then the next one is offered), negative infinity to stop. So
 //! one routine serves nearest hits, shadows, clipping and CSG, and returns the last limit.
 
+mod blob;
 mod boxes;
 mod cone;
+mod curve;
 mod disc;
+mod height_field;
+mod lathe;
 mod plane;
 mod poly;
 mod polygon;
+mod prism;
 mod quadric;
+mod sor;
 mod sphere;
+mod superellipsoid;
 #[cfg(test)]
 mod tests;
 mod torus;
 mod triangle;
 
+pub use blob::Blob;
 pub use boxes::Cuboid;
 pub use cone::{frame, Cone};
+pub use curve::{closed_curves, segments, Segment};
 pub use disc::Disc;
+pub use height_field::HeightField;
+pub use lathe::Lathe;
 pub use plane::Plane;
 pub use poly::Poly;
 pub use polygon::{rings, Polygon};
+pub use prism::Prism;
 pub use quadric::Quadric;
+pub use sor::Sor;
 pub use sphere::{spherical_uv, Sphere};
+pub use superellipsoid::Superellipsoid;
 pub use torus::Torus;
 pub use triangle::{interpolated_normal, Facet, Triangle};
 
@@ -198,4 +212,10 @@ primitives! {
     Triangle(Box<Triangle>) = "triangle",
     Polygon(Box<Polygon>) = "polygon",
     Mesh(Arc<Mesh>) = "mesh",
+    Prism(Arc<Prism>) = "prism",
+    Lathe(Arc<Lathe>) = "lathe",
+    Sor(Arc<Sor>) = "sor",
+    Superellipsoid(Superellipsoid) = "superellipsoid",
+    HeightField(Arc<HeightField>) = "height_field",
+    Blob(Arc<Blob>) = "blob",
 }

@@ -17,12 +17,19 @@ pub struct Sphere {
     pub radius: f64,
 }
 
-/// Longitude and latitude as two numbers in 0..1: u runs around y from -x, v from the bottom to the top.
+/// The angle around y from the x axis towards z, as a number in 0..1.
+pub fn longitude(p: Vec3) -> f64 {
+    let turns = p.z.atan2(p.x) / TAU;
+    if turns < 0.0 {
+        turns + 1.0
+    } else {
+        turns
+    }
+}
+
+/// Longitude and latitude as two numbers in 0..1: u runs around y from x, v from the bottom to the top.
 pub fn spherical_uv(direction: Vec3) -> [f64; 2] {
-    let d = direction.normalized();
-    let around = if d.x == 0.0 && d.z == 0.0 { 0.0 } else { d.z.atan2(d.x) };
-    let u = if around < 0.0 { around + TAU } else { around } / TAU;
-    [u, 0.5 + d.y.clamp(-1.0, 1.0).asin() / PI]
+    [longitude(direction), 0.5 + direction.normalized().y.clamp(-1.0, 1.0).asin() / PI]
 }
 
 impl Primitive for Sphere {

@@ -3,6 +3,7 @@
 
 use crate::accel::{AcceleratorKind, Counters, RayKind};
 use crate::geometry::{prepare, Answer, Geometry, Hit};
+use crate::graph::shapes::{SplineKind, Sweep};
 use crate::graph::{self, shapes, Object};
 use crate::math::{vec3, Ray, Transform, Vec3};
 use crate::testing::Random;
@@ -12,14 +13,16 @@ const FAR: f64 = 1e7;
 /// How much of the contract a sample keeps.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
-    /// Encloses a volume.
+    /// Encloses a volume; normals lead outward.
     Solid,
+    /// Encloses a volume; normals lead where the order of its points or POV-Ray's habit wants them.
+    Unsided,
     /// Has a surface only.
     Patch,
 }
 
 fn samples() -> Vec<(Object, Kind)> {
-    use Kind::{Patch, Solid};
+    use Kind::{Patch, Solid, Unsided};
     let cube = |vertices: Vec<Vec3>| shapes::Mesh {
         vertices,
         faces: vec![
@@ -54,6 +57,26 @@ fn samples() -> Vec<(Object, Kind)> {
     };
     let (a, b, c) = (vec3(-1.0, 0.0, 0.2), vec3(1.0, -0.5, 0.0), vec3(0.0, 1.0, 0.5));
     let up = vec3(0.1, 0.2, 1.0);
+    let lump = |center, end, strength| shapes::BlobComponent {
+        center,
+        radius: 0.9,
+        strength,
+        end,
+        transform: Transform::IDENTITY,
+        texture: None,
+    };
+    let lumps = vec![lump(a, None, 1.0), lump(b, Some(c), 0.8), lump(b * 0.5, None, -0.5)];
+    let prism = |spline, sweep, points: &[[f64; 2]]| -> graph::Shape {
+        let points = points.to_vec();
+        shapes::Prism { spline, sweep, height1: 0.4, height2: 1.1, points, open: false, sturm: false }.into()
+    };
+    let lathe = |spline, points: &[[f64; 2]]| -> graph::Shape {
+        shapes::Lathe { spline, points: points.to_vec(), sturm: false }.into()
+    };
+    // Control point, three corners, the first corner again.
+    let round = [[0.0, 1.0], [-1.0, 0.0], [0.5, -1.0], [0.7, 0.8], [-1.0, 0.0]];
+    // From the axis to the axis, with a control point at each end.
+    let vase = [[0.2, -0.4], [0.0, -0.6], [0.9, -0.3], [0.7, 0.5], [0.0, 0.7], [-0.2, 0.6]];
     let list: Vec<(graph::Shape, Kind)> = vec![
         (shapes::Sphere { center: vec3(0.2, 0.1, 0.0), radius: 0.9 }.into(), Solid),
         (shapes::Box { corner1: vec3(-0.5, -1.0, -0.7), corner2: vec3(0.5, 0.4, 0.3) }.into(), Solid),
@@ -83,6 +106,44 @@ fn samples() -> Vec<(Object, Kind)> {
         ),
         (shapes::Polygon { points: star }.into(), Patch),
         (cube(corners).into(), Solid),
+        (
+            prism(SplineKind::Linear, Sweep::Linear, &[[-1.0, -0.5], [0.8, -0.7], [0.3, 0.9], [-1.0, -0.5]]),
+            Unsided,
+        ),
+        (
+            prism(SplineKind::Linear, Sweep::Conic, &[[-1.0, -0.5], [0.3, 0.9], [0.8, -0.7], [-1.0, -0.5]]),
+            Unsided,
+        ),
+        (prism(SplineKind::Quadratic, Sweep::Linear, &[&round[..1], &round[1..]].concat()), Unsided),
+        (prism(SplineKind::Cubic, Sweep::Linear, &[&round[..], &round[2..3]].concat()), Unsided),
+        (prism(SplineKind::Cubic, Sweep::Conic, &[&round[..], &round[2..3]].concat()), Unsided),
+        (lathe(SplineKind::Linear, &vase[1..5]), Unsided),
+        (lathe(SplineKind::Quadratic, &vase[..5]), Unsided),
+        (lathe(SplineKind::Cubic, &vase), Unsided),
+        (
+            shapes::Sor {
+                points: vec![[0.2, -1.2], [0.5, -0.9], [0.9, 0.0], [0.3, 0.6], [0.6, 0.9], [0.7, 1.1]],
+                open: false,
+                sturm: false,
+            }
+            .into(),
+            Solid,
+        ),
+        (shapes::Blob { components: lumps, threshold: 0.4, sturm: false, hierarchy: true }.into(), Solid),
+        (
+            shapes::HeightField {
+                heights: (0..42).map(|i| 0.5 + 0.4 * (f64::from(i) * 1.3).sin()).collect(),
+                rows: 6,
+                columns: 7,
+                water_level: 0.0,
+                smooth: true,
+            }
+            .into(),
+            Patch,
+        ),
+        (shapes::Superellipsoid { e: 0.3, n: 0.7 }.into(), Solid),
+        (shapes::Superellipsoid { e: 1.0, n: 1.0 }.into(), Solid),
+        (shapes::Superellipsoid { e: 2.5, n: 0.5 }.into(), Solid),
     ];
     list.into_iter().map(|(shape, kind)| (Object::new(shape), kind)).collect()
 }
@@ -153,10 +214,10 @@ fn contract_of_primitives() {
                     }
                     inside = !inside;
                 }
-                if kind == Kind::Solid {
+                if kind != Kind::Patch {
                     let beyond = ray.at(hits.last().map_or(0.0, |h| h.crossing.t) + 0.01);
                     assert_eq!(geometry.inside(beyond, top), inside, "{name}: parity of {hits:?} on {ray:?}");
-                } else if hits.len() == 1 && name != "Disc" && name != "Cylinder" {
+                } else if hits.len() == 1 && !["Disc", "Cylinder", "HeightField"].contains(&name) {
                     assert!(!geometry.inside(ray.at(hits[0].crossing.t * 0.9), top));
                 }
             }
