@@ -56,7 +56,7 @@ check: build $(MYPY_TREE)/minipov ## ruff, mypy --strict, clippy, rustfmt
 	$(CARGO) fmt --manifest-path tracer/Cargo.toml -- --check
 
 parity: build povray ## compare with POV-Ray on its own samples (SCENES=glob)
-	$(BIN)/python -m minipov.compare.parity '$(SCENES)'
+	$(BIN)/python -m minipov diff /usr/share/doc/povray/examples --only "$(SCENES)" --page out/parity --jobs 2
 
 bench: build povray ## trace times against POV-Ray (THREADS=n)
 	$(BIN)/python -m minipov.bench --threads $(THREADS)

@@ -29,7 +29,7 @@ _OIIO_NAMES = {"targa": "tga"}
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Stored:
-    """What a file holds: ``channels`` (height, width, 1 to 4) scaled to 0..1; ``curve`` is what the file itself names."""
+    """What a file holds: ``channels`` (height, width, 1 to 4) scaled to 0..1, and the ``curve`` that the file names."""
 
     channels: Floats
     kind: str

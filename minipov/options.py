@@ -167,7 +167,8 @@ class _Reader:
         value = unquoted(body[length:])
         if body.lower() == "h" and not (following and following[0][:1].isdigit()):
             self._set(BY_KEY["help"], "on")
-        elif option.kind != "flag":
+            return
+        if option.kind != "flag":
             self._set(option, value or self._next(word, following))
             return
         self._set(option, "on" if sign == "+" or option.key == "Help" else "off")

@@ -1,0 +1,43 @@
+"""The comment lines that open our scenes.
+
+::
+
+    // A sphere on a checkered plane
+    // class: close — the light is sampled
+    // switches: +A0.3 -J
+"""
+
+from __future__ import annotations
+
+import re
+import shlex
+from dataclasses import dataclass
+from pathlib import Path
+
+_FIELD = re.compile(r"//\s*(class|switches):\s*(.*)")
+
+
+@dataclass(frozen=True, slots=True)
+class SceneHeader:
+    """What a scene says of itself; ``expected`` is "" where it does not name a class."""
+
+    title: str = ""
+    expected: str = ""
+    switches: tuple[str, ...] = ()
+
+
+def read_header(scene: Path) -> SceneHeader:
+    """Read the comment lines at the top of ``scene``."""
+    title, expected = "", ""
+    switches: tuple[str, ...] = ()
+    for line in scene.read_text("utf-8", "replace").splitlines():
+        if not line.startswith("//"):
+            break
+        match = _FIELD.match(line)
+        if match is None:
+            title = title or line.lstrip("/ ").strip()
+        elif match.group(1) == "class":
+            expected = re.split(r"[\s—-]", match.group(2).strip())[0]
+        else:
+            switches = tuple(shlex.split(match.group(2)))
+    return SceneHeader(title, expected, switches)

@@ -1,0 +1,106 @@
+"""Comparing scenes: both programs render each, the pictures are measured and judged."""
+
+from __future__ import annotations
+
+import fnmatch
+import shutil
+import tempfile
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from minipov.compare.header import read_header
+from minipov.compare.metrics import Metrics, measure, read_picture
+from minipov.compare.ours import run_minipov
+from minipov.compare.reference import reference
+from minipov.compare.rendering import Rendering
+from minipov.compare.verdict import Verdict, judge
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """How scenes are rendered: size, further switches, seconds allowed to each program, scenes at a time.
+
+    ``pictures`` is where minipov's pictures are kept; None throws them away.
+    """
+
+    width: int = 160
+    height: int = 120
+    switches: tuple[str, ...] = ()
+    timeout: float = 60.0
+    reference_timeout: float = 240.0
+    jobs: int = 1
+    fresh: bool = False
+    pictures: Path | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """One scene's outcome. ``name`` is its path below the compared folder, without ``.pov``."""
+
+    name: str
+    verdict: Verdict
+    expected: str = ""
+    title: str = ""
+    metrics: Metrics | None = None
+    ours: Rendering | None = None
+    reference: Rendering | None = None
+    message: str = field(default="")
+
+
+def find_scenes(folder: Path, pattern: str = "*") -> list[Path]:
+    """Return the scenes below ``folder`` whose path from there, with or without ``.pov``, matches ``pattern``."""
+    scenes = sorted(folder.rglob("*.pov"))
+    names = {scene: scene.relative_to(folder) for scene in scenes}
+    return [
+        scene
+        for scene, name in names.items()
+        if fnmatch.fnmatch(str(name), pattern) or fnmatch.fnmatch(str(name.with_suffix("")), pattern)
+    ]
+
+
+def survey(scenes: Sequence[Path], folder: Path, plan: Plan) -> Iterator[Comparison]:
+    """Compare ``scenes``, yielding each as it is done, in order. Raises PovrayMissingError."""
+    with ThreadPoolExecutor(max(plan.jobs, 1)) as pool:
+        yield from pool.map(lambda scene: compare_scene(scene, _name(scene, folder), plan), scenes)
+
+
+def compare_scene(scene: Path, name: str, plan: Plan) -> Comparison:
+    """Render ``scene`` in both programs and compare. Raises PovrayMissingError."""
+    header = read_header(scene)
+    switches = (f"+W{plan.width}", f"+H{plan.height}", *header.switches, *plan.switches)
+    expected = reference(scene, switches, plan.reference_timeout, fresh=plan.fresh)
+    with tempfile.TemporaryDirectory(prefix="minipov-compare-") as work:
+        made = run_minipov(scene, switches, Path(work), plan.timeout)
+        verdict, metrics, message = _judge(made, expected)
+        made = _keep(made, name, plan)
+    return Comparison(name, verdict, header.expected, header.title, metrics, made, expected, message)
+
+
+def _judge(made: Rendering, expected: Rendering) -> tuple[Verdict, Metrics | None, str]:
+    if expected.picture is None:
+        crashed = made.status == "timeout" or "signal" in made.message
+        return ("failed", None, made.message) if crashed else ("no reference", None, expected.message)
+    if made.picture is None:
+        return "failed", None, made.message
+    try:
+        metrics = measure(read_picture(made.picture), read_picture(expected.picture))
+    except (OSError, ValueError) as error:
+        return "failed", None, str(error)
+    return judge(metrics), metrics, "; ".join(dict.fromkeys(made.warnings))[:300]
+
+
+def _keep(made: Rendering, name: str, plan: Plan) -> Rendering:
+    """Move the picture to where it stays."""
+    kept = None
+    if made.picture is not None and plan.pictures is not None:
+        kept = plan.pictures / (name.replace("/", "_") + "-minipov.png")
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(made.picture, kept)
+    fields = {slot: getattr(made, slot) for slot in made.__slots__}
+    return Rendering(**(fields | {"picture": kept}))
+
+
+def _name(scene: Path, folder: Path) -> str:
+    return str(scene.relative_to(folder).with_suffix("")) if scene.is_relative_to(folder) else scene.stem

@@ -1,0 +1,111 @@
+"""The way of a scene, from options to a file: load, render, write. The command line and the API share these steps."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from minipov import interpreter
+from minipov.frames import Frame
+from minipov.image_input import load_image
+from minipov.include_path import library_folders
+from minipov.interpreter.context import Options as LoadOptions
+from minipov.interpreter.errors import Messages
+from minipov.options import CommandLine, UsageError
+from minipov.tracer.render import RenderJob, RenderResult
+from minipov.tracer.scene import Scene
+from minipov.tracer.settings import Antialiasing, RenderSettings
+
+POLL_SECONDS = 0.05
+_MAX_PIXELS = 1 << 28
+
+
+def load_scene(path: Path, options: LoadOptions, messages: Messages) -> Scene:
+    """Read and run a scene file. Raises SdlError for a mistake in the scene, OSError where it cannot be read."""
+    return interpreter.load(path, options, messages)
+
+
+def load_options(command: CommandLine, frame: Frame, files: dict[str, bytes]) -> LoadOptions:
+    """Return what the interpreter has to know of the command line."""
+    return LoadOptions(
+        width=command.integer("Width"),
+        height=command.integer("Height"),
+        library_paths=(*command.library_paths, *library_folders()),
+        declares=command.declares,
+        clock=frame.clock,
+        clock_on=frame.clock_on,
+        clock_delta=frame.clock_delta,
+        frame_number=frame.frame_number,
+        initial_frame=frame.initial_frame,
+        final_frame=frame.final_frame,
+        initial_clock=frame.initial_clock,
+        final_clock=frame.final_clock,
+        version=command.number("Version") if "Version" in command.given else None,
+        quality=command.integer("Quality"),
+        files=files,
+        load_image=load_image,
+    )
+
+
+def render_settings(command: CommandLine) -> RenderSettings:
+    """Return what the tracer has to know of the command line.
+
+    Raises:
+        UsageError: a size, range or name that cannot be.
+    """
+    width, height = command.integer("Width"), command.integer("Height")
+    if width < 1 or height < 1 or width * height > _MAX_PIXELS:
+        raise UsageError(f"a picture of {width} by {height} pixels cannot be made")
+    method = command.integer("Sampling_Method")
+    if method not in (1, 2):
+        raise UsageError(f"Sampling_Method={method}: 1 and 2 are possible")
+    antialiasing = Antialiasing(
+        method=method,
+        threshold=command.number("Antialias_Threshold"),
+        depth=min(max(command.integer("Antialias_Depth"), 1), 9),
+        jitter=command.number("Jitter_Amount") if command.flag("Jitter") else 0.0,
+        gamma=command.number("Antialias_Gamma"),
+    )
+    accelerator = command.text("Accelerator")
+    if accelerator not in ("linear", "octree"):
+        raise UsageError(f"unknown accelerator {accelerator}; linear and octree are possible")
+    return RenderSettings(
+        width=width,
+        height=height,
+        rows=_span(command, "Row", height),
+        columns=_span(command, "Column", width),
+        antialiasing=antialiasing if command.flag("Antialias") else None,
+        quality=min(max(command.integer("Quality"), 0), 11),
+        threads=max(command.integer("Work_Threads"), 0),
+        alpha=command.flag("Output_Alpha"),
+        accelerator="linear" if accelerator == "linear" else "octree",
+    )
+
+
+def trace(job: RenderJob, progress: Callable[[float], None]) -> RenderResult:
+    """Wait for ``job``, calling ``progress`` with the finished share; an exception from there or Ctrl-C cancels it.
+
+    After KeyboardInterrupt the picture so far is in ``job.snapshot()``.
+    """
+    try:
+        while not job.finished:
+            progress(job.poll())
+            time.sleep(POLL_SECONDS)
+        progress(1.0)
+        return job.finish()
+    except BaseException:
+        job.cancel()
+        raise
+
+
+def _span(command: CommandLine, axis: str, size: int) -> tuple[int, int] | None:
+    """Rows or columns to render, from 0, the end exclusive; None is all of them."""
+    if not {f"Start_{axis}", f"End_{axis}"} & command.given:
+        return None
+    start, end = command.values[f"Start_{axis}"], command.values[f"End_{axis}"]
+    first = int(start * size) if isinstance(start, float) and start <= 1 else int(start) - 1
+    last = int(end * size) if isinstance(end, float) and end <= 1 else min(int(end), size)
+    if not 0 <= first < last:
+        raise UsageError(f"Start_{axis}={start} End_{axis}={end}: nothing of {size} is left to render")
+    return first, last
