@@ -88,6 +88,11 @@ class ItemReader:
         """Stop with 'expected ..., found ...' at the next item."""
         raise SdlError(f"{self.name}: expected {expected}, found {describe(self.peek())}", self.place, hint)
 
+    def refuse(self, needed: str, hint: str | None = None) -> NoReturn:
+        """Stop with 'needs ...' at the item read last: it was understood, but is not allowed."""
+        place = self._places[self._at - 1] if self._at else self.place
+        raise SdlError(f"{self.name}: needs {needed}", place, hint)
+
     # --- numbers, vectors, colours ---
 
     def terms(self, what: str, most: int) -> tuple[float, ...]:

@@ -75,7 +75,7 @@ def fog(reader: ItemReader, context: Context, sink: Sink) -> Fog:
         else:
             unexpected(reader, FOG_ACCEPTS)
     if result.fog_type not in (1, 2):
-        reader.fail("fog_type 1 or 2")
+        reader.refuse("fog_type 1 or 2")
     return result
 
 
@@ -114,7 +114,7 @@ def rainbow(reader: ItemReader, context: Context, sink: Sink) -> Rainbow:
         return replace(named, **said)
     for word in ("direction", "angle", "width", "color_map"):
         if word not in said:
-            reader.fail(f"'{word}' somewhere in the rainbow")
+            reader.refuse(f"'{word}' somewhere in the rainbow")
     return Rainbow(**said)
 
 

@@ -116,7 +116,7 @@ def _read_kind(reader: ItemReader, frame: Frame, said: _Said) -> None:
     elif reader.word("cylinder"):
         kind = reader.integer()
         if not 1 <= kind <= len(CYLINDERS):
-            reader.fail("a cylinder camera from 1 to 4")
+            reader.refuse("a cylinder camera from 1 to 4")
         frame.kind = CYLINDERS[kind - 1]
     else:
         mesh = reader.block("mesh_camera")
@@ -136,7 +136,7 @@ def _read_vector(reader: ItemReader, context: Context, frame: Frame, said: _Said
             return True
         angle = reader.float()
         if frame.kind in ("perspective", "orthographic") and not 0.0 < angle < 180.0:
-            reader.fail("an angle between 0 and 180")
+            reader.refuse("an angle between 0 and 180")
         if frame.kind == "spherical":
             said.vertical_angle = reader.float() if reader.is_number() else angle / 2.0
         said.steps.append((word, angle))
@@ -234,7 +234,7 @@ def bokeh(reader: ItemReader, context: Context, sink: Sink) -> Block:
 def mesh_camera(reader: ItemReader, context: Context, sink: Sink) -> Block:
     rays, distribution = reader.integer(), reader.integer()
     if not 0 <= distribution <= 3:
-        reader.fail("a distribution from 0 to 3")
+        reader.refuse("a distribution from 0 to 3")
     distance = reader.float() if reader.is_number() else None
     meshes: list[Object] = []
     reader.comma()

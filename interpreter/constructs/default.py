@@ -27,7 +27,7 @@ def default(reader: ItemReader, context: Context, sink: Sink) -> None:
         texture = reader.node(TEXTURE_TYPES)
         if texture is not None:
             if not isinstance(texture, PlainTexture):
-                reader.fail("a plain texture as the default", "no layers, no patterns of textures")
+                reader.refuse("a plain texture as the default", "no layers, no patterns of textures")
             context.default_texture = texture
             continue
         changed = modified_texture(reader, context, context.default_texture)

@@ -82,7 +82,7 @@ def isosurface(reader: ItemReader, context: Context) -> Shape:
 def _precompute(reader: ItemReader) -> dict[str, Any]:
     depth = reader.integer()
     if not 1 <= depth <= MOST_PRECOMPUTED:
-        reader.fail(f"a precompute depth from 1 to {MOST_PRECOMPUTED}")
+        reader.refuse(f"a precompute depth from 1 to {MOST_PRECOMPUTED}")
     axes = set()
     while True:
         reader.comma()
@@ -128,7 +128,7 @@ JULIA_FUNCTIONS: Final = (
 def _slice(reader: ItemReader) -> dict[str, Any]:
     normal = reader.vector4()
     if normal[3] == 0.0:
-        reader.fail("a slice vector whose fourth component is not 0")
+        reader.refuse("a slice vector whose fourth component is not 0")
     return {"slice_normal": normal, "slice_distance": reader.float()}
 
 

@@ -23,7 +23,7 @@ MAP_TYPES: Final = (0, 1, 2, 5, 7)
 def _map_type(reader: ItemReader) -> dict[str, Any]:
     number = reader.integer()
     if number not in MAP_TYPES:
-        reader.fail("map_type 0, 1, 2, 5 or 7")
+        reader.refuse("map_type 0, 1, 2, 5 or 7")
     return {"map_type": number}
 
 

@@ -126,7 +126,7 @@ def _with_block(reader: ItemReader, light: LightSource) -> LightSource | None:
     looks = reader.block("looks_like")
     if looks is not None:
         if light.looks_like is not None:
-            reader.fail("one looks_like only")
+            reader.refuse("one looks_like only")
         return replace(light, looks_like=looks.transformed(Transform.translate(light.location)))
     through = reader.block("projected_through")
     if through is not None:
@@ -139,9 +139,9 @@ def _with_block(reader: ItemReader, light: LightSource) -> LightSource | None:
 
 def _check_area(area: AreaLight, reader: ItemReader) -> None:
     if area.circular and (area.size1 < 2 or area.size2 < 2):
-        reader.fail("an area_light of at least 2 by 2 for 'circular'")
+        reader.refuse("an area_light of at least 2 by 2 for 'circular'")
     if area.orient and not (area.circular and area.size1 == area.size2):
-        reader.fail("a circular area_light with equal sizes for 'orient'")
+        reader.refuse("a circular area_light with equal sizes for 'orient'")
 
 
 def _single_object(reader: ItemReader) -> Object:

@@ -77,7 +77,7 @@ def media(reader: ItemReader, context: Context, sink: Sink) -> Media:
 def _checked(result: Media, reader: ItemReader, context: Context) -> Media:
     changes: dict[str, Any] = {}
     if result.method not in (1, 2, 3):
-        reader.fail("media method 1, 2 or 3")
+        reader.refuse("media method 1, 2 or 3")
     if result.samples[1] < result.samples[0]:
         changes["samples"] = (result.samples[0], result.samples[0])
     return replace(result, **changes) if changes else result
@@ -93,7 +93,7 @@ def _checked(result: Media, reader: ItemReader, context: Context) -> Media:
 def scattering(reader: ItemReader, context: Context, sink: Sink) -> Scattering:
     kind = reader.integer()
     if not 1 <= kind <= HENYEY_GREENSTEIN:
-        reader.fail("a scattering type from 1 to 5")
+        reader.refuse("a scattering type from 1 to 5")
     reader.comma()
     color = reader.rgb()
     table = {"extinction": number("extinction")}

@@ -69,11 +69,11 @@ def _indexed(
     vectors, indices = found.get(f"{what}_vectors"), found.get(f"{what}_indices")
     if vectors is None:
         if indices is not None:
-            reader.fail(f"a section {what}_vectors for the {what}_indices")
+            reader.refuse(f"a section {what}_vectors for the {what}_indices")
         return None, None
     if indices is None:
         if len(vectors) != vertices:
-            reader.fail(f"{what}_indices, or as many {what}_vectors as vertices")
+            reader.refuse(f"{what}_indices, or as many {what}_vectors as vertices")
         return vectors, faces
     _check(indices, len(vectors), f"{what}_indices", reader)
     table = np.full((len(faces), 3), -1, dtype=np.int32)
@@ -167,7 +167,7 @@ def texture_list(reader: ItemReader, context: Context, sink: Sink) -> Block:
     count = reader.integer()
     textures = all_textures(reader)
     if len(textures) != count:
-        reader.fail(f"{count} textures", f"there are {len(textures)}")
+        reader.refuse(f"{count} textures", f"there are {len(textures)}")
     return Block("texture_list", textures)
 
 

@@ -174,7 +174,7 @@ def _facet(
 def corner_textures(reader: ItemReader, context: Context, sink: Sink) -> Block:
     textures = all_textures(reader)
     if len(textures) != 3:
-        reader.fail("three textures")
+        reader.refuse("three textures")
     return Block("texture_list", textures)
 
 

@@ -106,7 +106,7 @@ def _dressed(reader: ItemReader, context: Context, thing: Object) -> Object | No
     inner = reader.block("interior_texture")
     if inner is not None:
         if thing.texture is None:
-            reader.fail("a texture before the interior_texture", "give the object a texture {...} first")
+            reader.refuse("a texture before the interior_texture", "give the object a texture {...} first")
         return replace(thing, interior_texture=layered(thing.interior_texture, inner, reader))
     interior = reader.node(Interior)
     if interior is not None:
@@ -134,7 +134,7 @@ def _flagged(reader: ItemReader, context: Context, thing: Object) -> Modifiers |
         return replace(old, inverse=not old.inverse)
     if word == "uv_mapping":
         if thing.texture is not None:
-            reader.fail("uv_mapping before the texture")
+            reader.refuse("uv_mapping before the texture")
         return replace(old, uv_mapping=True)
     if word is not None:
         return replace(old, **FLAGS[word](reader))

@@ -40,5 +40,5 @@ def object_radiosity(reader: ItemReader, context: Context, sink: Sink) -> Block:
         reader.fail("'importance'")
     importance = reader.float()
     if not 0.0 < importance <= 1.0:
-        reader.fail("an importance above 0 and at most 1")
+        reader.refuse("an importance above 0 and at most 1")
     return Block("radiosity", importance)

@@ -72,7 +72,7 @@ def polygon(reader: ItemReader, context: Context) -> Shape:
     place = reader.place
     count = reader.integer()
     if count < 3:
-        reader.fail("at least 3 points")
+        reader.refuse("at least 3 points")
     points: list[Vec3] = [(x, y, z) for x, y, z in bulk(reader, count, 3, "points").tolist()]
     start = open_ring_start(points)
     if start is not None:

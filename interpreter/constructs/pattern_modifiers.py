@@ -31,7 +31,7 @@ WAVES: Final[tuple[Wave, ...]] = ("ramp_wave", "triangle_wave", "sine_wave", "sc
 def _noise_generator(reader: ItemReader) -> dict[str, Any]:
     number = reader.integer()
     if number not in (1, 2, 3):
-        reader.fail("noise_generator 1, 2 or 3")
+        reader.refuse("noise_generator 1, 2 or 3")
     return {"noise_generator": number}
 
 
@@ -104,5 +104,5 @@ def read_pattern_parameter(reader: ItemReader, pattern: Pattern | None) -> Patte
     readers = PARAMETERS[word]
     if pattern is None or type(pattern) not in readers:
         owners = " and ".join(owner.__name__.lower() for owner in readers)
-        reader.fail(f"'{word}' only with a {owners} pattern")
+        reader.refuse(f"'{word}' only with a {owners} pattern")
     return replace(pattern, **{word: readers[type(pattern)](reader)})

@@ -82,7 +82,7 @@ def _mandel(reader: ItemReader, context: Context) -> Pattern:
 def _magnet(reader: ItemReader, context: Context) -> Pattern:
     kind = reader.integer()
     if kind not in (1, 2):
-        reader.fail("magnet 1 or magnet 2")
+        reader.refuse("magnet 1 or magnet 2")
     coordinate = None
     if reader.word("julia"):
         coordinate = reader.vector2()

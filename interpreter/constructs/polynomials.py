@@ -59,7 +59,7 @@ def polynomial(reader: ItemReader, context: Context) -> Shape:
     while reader.word("xyz"):
         powers = _powers(reader)
         if min(powers) < 0 or sum(powers) > order:
-            reader.fail(f"powers that add up to at most {order}")
+            reader.refuse(f"powers that add up to at most {order}")
         terms[term_index(order, *powers)] = reader.float()
         reader.comma()
     return Poly(order, tuple(terms))
@@ -72,5 +72,5 @@ def _powers(reader: ItemReader) -> tuple[int, int, int]:
 def _order(reader: ItemReader) -> int:
     order = reader.integer()
     if not 2 <= order <= LARGEST_ORDER:
-        reader.fail(f"an order from 2 to {LARGEST_ORDER}")
+        reader.refuse(f"an order from 2 to {LARGEST_ORDER}")
     return order

@@ -20,7 +20,7 @@ LARGEST_TRACE_LEVEL: Final = 256
 def _noise_generator(reader: ItemReader) -> dict[str, Any]:
     value = reader.integer()
     if value not in (1, 2, 3):
-        reader.fail("noise_generator 1, 2 or 3")
+        reader.refuse("noise_generator 1, 2 or 3")
     return {"noise_generator": value}
 
 
@@ -93,7 +93,7 @@ def _positive(field: str) -> Field:
     def read(reader: ItemReader) -> dict[str, Any]:
         place_value = reader.float()
         if place_value <= 0.0:
-            reader.fail(f"a {field} above 0")
+            reader.refuse(f"a {field} above 0")
         return {field: place_value}
 
     return read
@@ -166,7 +166,7 @@ def _with_fitting_reuse(found: Radiosity, said: dict[str, Any], reader: ItemRead
     """minimum_reuse stays at most half of maximum_reuse where only one of them is given."""
     if "minimum_reuse" in said and "maximum_reuse" in said:
         if found.minimum_reuse >= found.maximum_reuse:
-            reader.fail("a minimum_reuse below maximum_reuse")
+            reader.refuse("a minimum_reuse below maximum_reuse")
     elif found.minimum_reuse > found.maximum_reuse / 2.0:
         if "minimum_reuse" in said:
             return replace(found, maximum_reuse=found.minimum_reuse * 2.0)
@@ -216,7 +216,7 @@ def photons(reader: ItemReader, context: Context, sink: Sink) -> Photons:
             unexpected(reader, PHOTON_FIELDS)
         said.update(fields)
     if "save_file" in said and "load_file" in said:
-        reader.fail("save_file or load_file, not both")
+        reader.refuse("save_file or load_file, not both")
     return Photons(**said)
 
 

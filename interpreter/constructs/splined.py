@@ -38,9 +38,9 @@ def _kind(reader: ItemReader, kinds: tuple[SplineKind, ...]) -> SplineKind | Non
 def _count(reader: ItemReader, kind: SplineKind, least: dict[SplineKind, int]) -> int:
     count = reader.integer()
     if count < least[kind]:
-        reader.fail(f"at least {least[kind]} points for a {kind}")
+        reader.refuse(f"at least {least[kind]} points for a {kind}")
     if kind == "bezier_spline" and count % 4:
-        reader.fail("four points for each piece of a bezier_spline")
+        reader.refuse("four points for each piece of a bezier_spline")
     return count
 
 
@@ -68,7 +68,7 @@ def lathe(reader: ItemReader, context: Context) -> Shape:
 def sor(reader: ItemReader, context: Context) -> Shape:
     count = reader.integer()
     if count < 4:
-        reader.fail("at least 4 points")
+        reader.refuse("at least 4 points")
     return Sor(_points(reader, count))
 
 

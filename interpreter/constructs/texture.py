@@ -54,9 +54,9 @@ def layered(below: Texture | None, above: Texture, reader: ItemReader) -> Textur
     if below is None:
         return above
     if not isinstance(below, PlainTexture | LayeredTexture):
-        reader.fail("no layer over a patterned texture", "only plain textures can be layers")
+        reader.refuse("no layer over a patterned texture", "only plain textures can be layers")
     if not isinstance(above, PlainTexture | LayeredTexture):
-        reader.fail("no patterned texture as a layer over another", "only plain textures can be layers")
+        reader.refuse("no patterned texture as a layer over another", "only plain textures can be layers")
     return LayeredTexture((*layers(below), *layers(above)))
 
 
@@ -85,7 +85,7 @@ def modified_texture(reader: ItemReader, context: Context, texture: Texture | No
         return None
     base = texture or default_texture(context)
     if not isinstance(base, PlainTexture | LayeredTexture):
-        place.fail("no pigment, normal or finish on a patterned texture", "only plain textures can be layers")
+        place.refuse("no pigment, normal or finish on a patterned texture", "only plain textures can be layers")
     *lower, top = layers(base)
     if name == "pigment":
         top = replace(top, pigment=read_pigment(items, context, top.pigment))

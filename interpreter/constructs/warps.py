@@ -62,7 +62,7 @@ def _repeat(reader: ItemReader) -> RepeatWarp:
     amount = reader.vector()
     axes = [axis for axis in range(3) if amount[axis] != 0.0]
     if len(axes) != 1:
-        reader.fail("a repeat vector along one axis", "write for example: repeat 2*x")
+        reader.refuse("a repeat vector along one axis", "write for example: repeat 2*x")
     said = read_all_fields(
         reader,
         {"offset": vector("offset"), "flip": lambda r: {"flip": tuple(value != 0.0 for value in r.vector())}},
