@@ -111,10 +111,12 @@ def unexpected(reader: ItemReader, accepts: Iterable[str]) -> NoReturn:
     item = reader.peek()
     hint = None
     if isinstance(item, Word):
-        close = get_close_matches(item.name, words, 1)
+        close = [] if item.name in words else get_close_matches(item.name, words, 1)
         homes = sorted({c.name for c in registry.constructs() if item.name in c.accepts} - {reader.name})
         if close:
             hint = f"did you mean '{close[0]}'?"
+        elif item.name in words:
+            hint = f"'{item.name}' must come earlier, or once only"
         elif homes:
             hint = f"'{item.name}' may stand in {', '.join(homes[:4])}"
     if hint is None and words:

@@ -116,10 +116,18 @@ def _modified(reader: ItemReader, context: Context, light: LightSource) -> Light
 
 def _area_light(reader: ItemReader, old: AreaLight | None) -> AreaLight:
     axis1, axis2 = reader.vector(), reader.vector()
-    size1, size2 = max(reader.integer(), 1), max(reader.integer(), 1)
+    size1, size2 = _area_size(reader), _area_size(reader)
     if old is None:
         return AreaLight(axis1, axis2, size1, size2)
     return replace(old, axis1=axis1, axis2=axis2, size1=size1, size2=size2)
+
+
+def _area_size(reader: ItemReader) -> int:
+    """How many lamps stand along one axis; its sign does not matter."""
+    size = abs(reader.integer())
+    if size == 0:
+        reader.refuse("an area_light of at least one lamp along each axis")
+    return size
 
 
 def _with_block(reader: ItemReader, light: LightSource) -> LightSource | None:

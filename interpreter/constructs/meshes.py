@@ -65,6 +65,8 @@ def mesh(reader: ItemReader, context: Context) -> Shape:
         reader.take()
         if block.value is not None:
             facets.append(block.value)
+    if not facets:
+        reader.refuse("at least one triangle")
     return replace(_mesh_of(facets), inside_vector=inside_vector(reader))
 
 

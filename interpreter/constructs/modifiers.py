@@ -84,7 +84,8 @@ def _modified(reader: ItemReader, context: Context, thing: Object) -> Object | N
     modifiers = _flagged(reader, context, thing)
     if modifiers is not None:
         return replace(thing, modifiers=modifiers)
-    word = reader.word(*shape_switches(thing.shape))
+    own = shape_switches(thing.shape)
+    word = reader.word(*own) if own else None
     if word is not None:
         value = SHAPE_SWITCHES[word](reader)
         return replace(thing, shape=replace(thing.shape, **{word: value})) if hasattr(thing.shape, word) else thing

@@ -19,6 +19,7 @@ from minipov.interpreter.constructs.patterns import (
     block_count,
     block_items,
     object_pattern,
+    pattern_word,
     read_pattern,
 )
 from minipov.interpreter.context import Context
@@ -62,6 +63,8 @@ def read_normal_body(reader: ItemReader, context: Context, base: Normal) -> Norm
         if changed is None:
             break
         normal = changed
+    if normal.pattern is not None and normal.blend is None and pattern_word(normal.pattern) == "average":
+        reader.refuse("a normal_map for 'average'")
     return normal
 
 

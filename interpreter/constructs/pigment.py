@@ -77,6 +77,8 @@ def read_pigment_body(reader: ItemReader, context: Context, base: Pigment) -> Pi
         if changed is None:
             break
         pigment = changed
+    if pigment.pattern is not None and pigment.blend is None and pattern_word(pigment.pattern) == "average":
+        reader.refuse("a pigment_map for 'average'")
     return pigment
 
 

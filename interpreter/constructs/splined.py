@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final, Literal
 
 from minipov.interpreter.constructs.common import bulk, number, read_fields
@@ -69,7 +70,16 @@ def sor(reader: ItemReader, context: Context) -> Shape:
     count = reader.integer()
     if count < 4:
         reader.refuse("at least 4 points")
-    return Sor(_points(reader, count))
+    points = _points(reader, count)
+    if not all(_has_outline(points[at : at + 4]) for at in range(count - 3)):
+        reader.refuse("points of rising height and of radius 0 or more")
+    return Sor(points)
+
+
+def _has_outline(points: Sequence[Vec2]) -> bool:
+    """Whether there is a piece of a surface of revolution between the second and third of four points."""
+    (before, y0), (low, y1), (high, y2), (after, y3) = points
+    return min(before, low, high) >= 0.0 and y1 < y2 and y0 != y2 and y1 != y3
 
 
 SWEEPS: Final[tuple[Literal["linear_sweep", "conic_sweep"], ...]] = ("linear_sweep", "conic_sweep")
