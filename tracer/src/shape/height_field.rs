@@ -124,21 +124,24 @@ impl HeightField {
         (column, row, x - column as f64, z - row as f64)
     }
 
-    /// The normal at a corner as whole steps: of the facet towards larger x and z, and of that towards smaller ones.
+    /// The normal at a corner: the mean of the four planes through it, a neighbour in x and one in z; in whole steps.
     fn corner_normal(&self, column: usize, row: usize) -> Vec3 {
         let height = |column: usize, row: usize| self.heights[row * self.columns + column] * HEIGHT_STEPS;
         let here = height(column, row);
+        let left = (column > 0).then(|| here - height(column - 1, row));
+        let right = (column + 1 < self.columns).then(|| height(column + 1, row) - here);
+        let front = (row > 0).then(|| here - height(column, row - 1));
+        let back = (row + 1 < self.rows).then(|| height(column, row + 1) - here);
         let mut sum = Vec3::ZERO;
-        if column + 1 < self.columns && row + 1 < self.rows {
-            sum += vec3(here - height(column + 1, row), 1.0, here - height(column, row + 1)).normalized();
+        for x in [left, right].into_iter().flatten() {
+            for z in [front, back].into_iter().flatten() {
+                sum += vec3(-x, 1.0, -z).normalized();
+            }
         }
-        if column > 0 && row > 0 {
-            sum += vec3(height(column - 1, row) - here, 1.0, height(column, row - 1) - here).normalized();
-        }
-        if sum == Vec3::ZERO {
-            sum = Vec3::Y;
-        }
-        sum.normalized().map(|c| (c * NORMAL_STEPS).trunc())
+        let steps = sum.normalized().map(|c| (c * NORMAL_STEPS).trunc());
+        // From cells and steps to the unit cube.
+        vec3(steps.x * (self.columns - 1) as f64, steps.y * HEIGHT_STEPS, steps.z * (self.rows - 1) as f64)
+            .normalized()
     }
 }
 
@@ -227,8 +230,7 @@ impl Primitive for HeightField {
         {
             sum += self.corner_normal(column + right, row + back) * share;
         }
-        // From cells and steps to the unit cube.
-        vec3(sum.x * (self.columns - 1) as f64, sum.y * HEIGHT_STEPS, sum.z * (self.rows - 1) as f64)
+        sum
     }
 
     fn geometric_normal(&self, _: Vec3, crossing: &Crossing) -> Vec3 {
