@@ -113,7 +113,9 @@ def unexpected(reader: ItemReader, accepts: Iterable[str]) -> NoReturn:
     if isinstance(item, Word):
         close = [] if item.name in words else get_close_matches(item.name, words, 1)
         homes = sorted({c.name for c in registry.constructs() if item.name in c.accepts} - {reader.name})
-        if close:
+        if item.name in words:
+            hint = f"'{item.name}' may stand in {reader.name}, but not after what comes before it"
+        elif close:
             hint = f"did you mean '{close[0]}'?"
         elif item.name in words:
             hint = f"'{item.name}' must come earlier, or once only"

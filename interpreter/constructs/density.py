@@ -12,6 +12,7 @@ from minipov.interpreter.constructs.pattern_modifiers import (
     PATTERN_MODIFIERS,
     read_pattern_modifier,
     read_pattern_parameter,
+    uv_mapped,
 )
 from minipov.interpreter.constructs.patterns import (
     PATTERN_WORDS,
@@ -41,7 +42,7 @@ ACCEPTS: Final = (
 
 def read_density_body(reader: ItemReader, context: Context) -> Density:
     """A density, up to the first item that belongs to none."""
-    density = _read_kind(reader, context, reader.node(Density) or Density())
+    density = _read_kind(reader, context, uv_mapped(reader, reader.node(Density) or Density()))
     while not reader.at_end:
         modifiers = read_pattern_modifier(reader, context, density.modifiers)
         if modifiers is not None:

@@ -13,7 +13,6 @@ from minipov.tracer.image import Image
 from minipov.tracer.settings import Gamma
 
 EXTENSIONS: Final[dict[str, tuple[str, ...]]] = {
-    "": ("",),
     "exr": ("", ".exr", ".EXR"),
     "gif": ("", ".gif", ".GIF"),
     "hdr": ("", ".hdr", ".HDR"),
@@ -29,14 +28,15 @@ EXTENSIONS: Final[dict[str, tuple[str, ...]]] = {
     "ttf": ("", ".ttf", ".ttc", ".TTF", ".TTC"),
     "df3": ("", ".df3", ".DF3"),
 }
-IMAGE_TYPES: Final = tuple(kind for kind in EXTENSIONS if kind not in ("", "ttf", "df3"))
+IMAGE_TYPES: Final = tuple(kind for kind in EXTENSIONS if kind not in ("ttf", "df3"))
+ANY_IMAGE: Final = tuple(dict.fromkeys(extension for kind in IMAGE_TYPES for extension in EXTENSIONS[kind]))
 
 
 def find(reader: ItemReader, context: Context, kind: str) -> Path:
-    """The file that the string here names, searched as includes are."""
+    """The file that the string here names, searched as includes are; ``kind`` "" tries all kinds of images."""
     place = reader.place
     name = reader.string()
-    path = context.find_file(name, EXTENSIONS[kind])
+    path = context.find_file(name, EXTENSIONS[kind] if kind else ANY_IMAGE)
     if path is None:
         raise SdlError(
             f"{reader.name}: cannot find the file '{name}'",

@@ -7,11 +7,13 @@ from typing import Any, Final
 
 from minipov.interpreter.constructs.common import Field, integer, number, read_fields, switch, unexpected
 from minipov.interpreter.constructs.files import IMAGE_TYPES, find, image
+from minipov.interpreter.constructs.function_images import sampled
 from minipov.interpreter.constructs.texture import TEXTURE_TYPES
 from minipov.interpreter.context import Context
 from minipov.interpreter.items import Block, Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
+from minipov.interpreter.runtime.evaluate import FunctionImage
 from minipov.tracer.image import Image, ImageMapping
 from minipov.tracer.pattern import ImageMap, ImagePattern
 from minipov.tracer.settings import Gamma
@@ -42,7 +44,13 @@ ACCEPTS: Final = (*IMAGE_TYPES, "gamma", "premultiplied", *MAPPING_FIELDS)
 
 
 def read_image(reader: ItemReader, context: Context, *, raw: bool) -> Image:
-    """``[type] "file" [gamma G] [premultiplied B]``; ``raw`` says that the numbers, not colours, are wanted."""
+    """``[type] "file" [gamma G] [premultiplied B]``, or a function to be sampled.
+
+    ``raw`` says that the stored numbers, not colours, are wanted.
+    """
+    source = reader.node(FunctionImage)
+    if source is not None:
+        return sampled(source)
     kind = reader.word(*IMAGE_TYPES) or ""
     path = find(reader, context, kind)
     gamma: Gamma = None

@@ -21,11 +21,12 @@ BLEND_FIELDS: Final[dict[str, Field]] = {"blend_mode": integer("blend_mode"), "b
 
 
 def read_entries(reader: ItemReader, body: Callable[[ItemReader], T]) -> tuple[tuple[float, T], ...]:
-    """The entries ``[F body]`` to the end of the block."""
+    """The entries ``[F body]`` to the end of the block; a missing number (a weight, under ``average``) is 1."""
     entries = []
     while not reader.at_end:
         inner = next_entry(reader)
-        value = inner.float()
+        value = inner.float() if inner.is_float() else 1.0
+        inner.comma()
         entries.append((value, body(inner)))
         expect_end(inner)
     if not entries:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, Final
+from typing import Any, Final, TypeVar
 
 from minipov.interpreter.constructs.transforms import TRANSFORM_WORDS, read_transform
 from minipov.interpreter.constructs.warps import TURBULENCE_FIELDS, WARP_TYPES
 from minipov.interpreter.context import Context
 from minipov.interpreter.reader import ItemReader
+from minipov.tracer.interior import Density
+from minipov.tracer.normal import Normal
 from minipov.tracer.pattern import (
     Agate,
     Brick,
@@ -23,7 +25,10 @@ from minipov.tracer.pattern import (
     Quilted,
     Wave,
 )
+from minipov.tracer.pigment import Pigment
 from minipov.tracer.warp import Turbulence
+
+Mapped = TypeVar("Mapped", Pigment, Normal, Density)
 
 WAVES: Final[tuple[Wave, ...]] = ("ramp_wave", "triangle_wave", "sine_wave", "scallop_wave", "cubic_wave", "poly_wave")
 
@@ -43,6 +48,13 @@ _FIELDS: Final[dict[str, Callable[[ItemReader], dict[str, Any]]]] = {
 }
 
 PATTERN_MODIFIERS: Final = (*_FIELDS, *WAVES, *TURBULENCE_FIELDS, *TRANSFORM_WORDS, "warp")
+
+
+def uv_mapped(reader: ItemReader, node: Mapped) -> Mapped:
+    """``node`` with ``uv_mapping`` where that comes next: it may stand before the pattern."""
+    if not reader.word("uv_mapping"):
+        return node
+    return replace(node, modifiers=replace(node.modifiers, uv_mapping=True))
 
 
 def read_pattern_modifier(reader: ItemReader, context: Context, modifiers: PatternModifiers) -> PatternModifiers | None:

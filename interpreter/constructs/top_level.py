@@ -24,6 +24,8 @@ def instantiate(item: Item, place: Place, context: Context) -> None:
     """
     scene = context.scene
     match complete(item):
+        case None:
+            pass
         case Object() as thing:
             scene.objects.append(dressed(thing, context))
         case LightSource() as light:
