@@ -35,7 +35,7 @@ def read_color(reader: ItemReader) -> Rgbft:
         color = list(widened(given, 5))
         if prefixed and len(given) == 1:
             current_context().messages.warn("a lone number as a colour sets filter and transmit too", place)
-        if not prefixed:
+        if not prefixed and len(given) < 5:
             return _five(color)
     while (word := reader.word(*_COMPONENTS)) is not None:
         color[_COMPONENTS[word]] = reader.float()

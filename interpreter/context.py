@@ -6,7 +6,7 @@ from collections.abc import Callable
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Final, Protocol
 
 from minipov.interpreter.errors import Messages
 from minipov.tracer.atmosphere import Fog, Rainbow, SkySphere
@@ -73,6 +73,10 @@ class SceneBuilder:
     gamma_was_set: bool = False
 
 
+UNSAID_VERSION: Final = 3.62
+"""The version that holds for a scene without ``#version`` (its variable ``version`` reads 3.7 all the same)."""
+
+
 @dataclass(slots=True)
 class Context:
     """Handed to every construct. ``find_file`` searches as ``#include`` does, with a list of extensions to try."""
@@ -81,7 +85,9 @@ class Context:
     messages: Messages
     find_file: Callable[[str, tuple[str, ...]], Path | None]
     scene: SceneBuilder = field(default_factory=SceneBuilder)
-    version: float = 3.7
+    version: float = UNSAID_VERSION
+    version_was_set: bool = False
+    default_was_set: bool = False
     default_texture: Texture = field(default_factory=PlainTexture)
     default_camera: Any = None
     default_radiosity_importance: float | None = None

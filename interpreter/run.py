@@ -10,13 +10,14 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from minipov.interpreter.cache import compiled
-from minipov.interpreter.context import Context, Options, SceneBuilder, set_current_context
+from minipov.interpreter.constructs.default import set_version
+from minipov.interpreter.constructs.scene import finished
+from minipov.interpreter.context import Context, Options, set_current_context
 from minipov.interpreter.errors import NOWHERE, Messages, SdlError
 from minipov.interpreter.runtime.faults import explained
 from minipov.interpreter.runtime.library import library
 from minipov.interpreter.runtime.program import Running
 from minipov.interpreter.runtime.search import FileSearch
-from minipov.tracer.camera import Camera
 from minipov.tracer.scene import Scene
 
 T = TypeVar("T")
@@ -55,7 +56,7 @@ def _run(name: str, content: bytes, options: Options, messages: Messages, folder
     search = FileSearch(options.library_paths, options.files, [folder])
     context = Context(options, messages, search.find)
     if options.version is not None:
-        context.version = options.version
+        set_version(context, options.version)
     return _with_deep_stack(lambda: _read(name, content, context, search))
 
 
@@ -71,24 +72,7 @@ def _read(name: str, content: bytes, context: Context, search: FileSearch) -> Sc
         raise explained(error, running.sources) from None
     finally:
         running.files.close_all()
-    return built(context.scene, context)
-
-
-def built(scene: SceneBuilder, context: Context) -> Scene:
-    """The finished scene."""
-    return Scene(
-        objects=tuple(scene.objects),
-        lights=tuple(scene.lights),
-        camera=scene.camera or context.default_camera or Camera(),
-        fogs=tuple(scene.fogs),
-        rainbows=tuple(scene.rainbows),
-        sky_sphere=scene.sky_sphere,
-        media=tuple(scene.media),
-        settings=scene.settings,
-        default_texture=context.default_texture,
-        version=context.version,
-        **({} if scene.background is None else {"background": scene.background}),
-    )
+    return finished(context)
 
 
 def _with_deep_stack(work: Callable[[], T]) -> T:

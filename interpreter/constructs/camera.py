@@ -98,15 +98,19 @@ def moved(camera: Camera, transform: Transform) -> Camera:
     )
 
 
-def _start(context: Context) -> Frame:
-    frame = Frame()
+def default_camera(context: Context) -> Camera:
+    """The camera of a scene that has none, and what every camera starts from."""
     default = context.default_camera
     if isinstance(default, Camera):
-        frame.location, frame.direction = default.location, default.direction
-        frame.right, frame.up = default.right, default.up
-    elif context.version >= ASPECT_OF_IMAGE:
-        frame.right = (context.options.width / context.options.height, 0.0, 0.0)
-    return frame
+        return default
+    if context.version >= ASPECT_OF_IMAGE:
+        return Camera(right=(context.options.width / context.options.height, 0.0, 0.0))
+    return Camera()
+
+
+def _start(context: Context) -> Frame:
+    default = default_camera(context)
+    return Frame(location=default.location, direction=default.direction, right=default.right, up=default.up)
 
 
 def _read_kind(reader: ItemReader, frame: Frame, said: _Said) -> None:

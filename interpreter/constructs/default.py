@@ -11,9 +11,24 @@ from minipov.interpreter.items import Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.camera import Camera
+from minipov.tracer.finish import Finish
+from minipov.tracer.pigment import Pigment
 from minipov.tracer.texture import PlainTexture
+from minipov.tracer.values import BLACK
+
+WHITE_SINCE: Final = 3.8
+WHITE_AND_DARK: Final = PlainTexture(Pigment((1.0, 1.0, 1.0, 0.0, 0.0)), None, Finish(ambient=BLACK))
+"""The default texture since version 3.8: white, without ambient light."""
 
 ACCEPTS: Final = ("texture", "pigment", "normal", "finish", "radiosity", "camera")
+
+
+def set_version(context: Context, version: float) -> None:
+    """``#version``: until the first ``#default``, the default texture follows it."""
+    context.version = version
+    context.version_was_set = True
+    if not context.default_was_set:
+        context.default_texture = WHITE_AND_DARK if version >= WHITE_SINCE else PlainTexture()
 
 
 @construct(
@@ -23,6 +38,7 @@ ACCEPTS: Final = ("texture", "pigment", "normal", "finish", "radiosity", "camera
     accepts=ACCEPTS,
 )
 def default(reader: ItemReader, context: Context, sink: Sink) -> None:
+    context.default_was_set = True
     while not reader.at_end:
         texture = reader.node(TEXTURE_TYPES)
         if texture is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Final
 
-from minipov.interpreter.constructs.scene import working_gamma
+from minipov.interpreter.constructs.gamma import working_gamma
 from minipov.interpreter.context import Context
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.reader import ItemReader

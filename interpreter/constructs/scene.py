@@ -5,23 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final
 
+from minipov.interpreter.constructs.camera import default_camera
+from minipov.interpreter.constructs.gamma import GAMMA_VERSION, working_gamma
 from minipov.interpreter.context import Context
-from minipov.tracer.camera import Camera
 from minipov.tracer.scene import Scene
-from minipov.tracer.settings import Gamma
 from minipov.tracer.values import Rgbft
 
-GAMMA_VERSION: Final = 3.7
-"""Since this version a scene without ``assumed_gamma`` works in linear light; before, there is no gamma handling."""
-
 CLEAR_BLACK: Final[Rgbft] = (0.0, 0.0, 0.0, 0.0, 1.0)
-
-
-def working_gamma(context: Context) -> Gamma:
-    """The working space as far as the scene has said by now."""
-    if context.scene.gamma_was_set:
-        return context.scene.settings.assumed_gamma
-    return 1.0 if context.version >= GAMMA_VERSION else None
 
 
 def finished(context: Context) -> Scene:
@@ -34,7 +24,7 @@ def finished(context: Context) -> Scene:
     return Scene(
         tuple(found.objects),
         tuple(found.lights),
-        found.camera or Camera(),
+        found.camera or default_camera(context),
         _background(context),
         tuple(found.fogs),
         tuple(found.rainbows),

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from minipov.interpreter.arrays import same_kind
+from minipov.interpreter.constructs.default import set_version
 from minipov.interpreter.context import Context
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.runtime.blocks import Blocks
@@ -23,6 +24,8 @@ Loader = Callable[[str, bytes], Any]
 
 MOST_INCLUDES = 200
 NEWEST = 3.8
+REPORTED_VERSION = 3.7
+"""What the variable ``version`` reads in a scene that has not set it."""
 
 
 class Running:
@@ -131,14 +134,14 @@ class Running:
             raise SdlError(
                 f"#version {number:g} is newer than this program knows", place, hint=f"up to {NEWEST} is known"
             )
-        self.context.version = number
+        set_version(self.context, number)
 
     def variable(self, name: str) -> Any:
         """A keyword that is a value only the running program knows."""
         options = self.context.options
         match name:
             case "version":
-                return self.context.version
+                return self.context.version if self.context.version_was_set else REPORTED_VERSION
             case "now":
                 return now()
             case "image_width":
