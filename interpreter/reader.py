@@ -7,7 +7,7 @@ from typing import Any, NoReturn, TypeVar
 
 from minipov.interpreter.colors import COLOR_WORDS, read_color
 from minipov.interpreter.errors import Place, SdlError
-from minipov.interpreter.items import COMMA, Block, Item, Unread, Word
+from minipov.interpreter.items import COMMA, Block, Item, Punctuation, Unread, Word
 from minipov.interpreter.values import Vector, kind_of
 from minipov.tracer.values import Rgb, Rgbft, Vec2, Vec3, Vec4
 
@@ -183,6 +183,8 @@ def describe(item: Item) -> str:
         return "the closing brace"
     if isinstance(item, Word):
         return f"'{item.name}'"
+    if isinstance(item, Punctuation):
+        return f"'{item.text}'"
     if isinstance(item, Block):
         return f"a block '{item.name}'"
     if isinstance(item, Unread):

@@ -113,12 +113,7 @@ def value_extent(items: Sequence[tree.Item], start: int) -> int | None:
         at += 2
         if first.name != "texture" or not _is(_at(items, at), "texture"):
             break
-    if at == start or (first.name == "texture" and isinstance(_at(items, at), _MAYBE_TEXTURE)):
-        return None
-    return at
-
-
-_MAYBE_TEXTURE: Final = (tree.If, tree.Switch, tree.While, tree.For, tree.Include, tree.Call)
+    return None if at == start else at
 
 
 def _at(items: Sequence[tree.Item], index: int) -> tree.Item | None:

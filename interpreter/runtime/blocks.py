@@ -91,7 +91,8 @@ class Blocks:
             raise SdlError(*_no_such_block(sink), hint=_hint(sink.name))
         value = construct.read(ItemReader(sink.name, sink.items, sink.places, place), self.context, sink)
         self.sink = parent
-        parent.push(value, sink.place)
+        if value is not None:
+            parent.push(value, sink.place)
 
     def open_bracket(self, place: Place) -> None:
         """``[``: an entry of a map."""

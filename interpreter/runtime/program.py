@@ -164,7 +164,9 @@ class Running:
         symbol.fix(self.files.open(name, mode, self.search.read))
 
     def close_file(self, symbol: Symbol) -> None:
-        """``#fclose``."""
+        """``#fclose``; nothing is to do where `end_read` has closed the file already."""
+        if not symbol.declared:
+            return
         self.files.close(self._handle(symbol, Reader | Writer))
         symbol.undefine()
 

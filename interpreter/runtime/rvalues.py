@@ -10,7 +10,7 @@ from typing import Any
 
 from minipov.interpreter.colors import COLOR_WORDS
 from minipov.interpreter.errors import Place, SdlError
-from minipov.interpreter.items import Item, Word, complete
+from minipov.interpreter.items import SEMICOLON, Item, Word, complete
 from minipov.interpreter.reader import ItemReader, describe
 from minipov.interpreter.values import Vector
 from minipov.tracer.texture import LayeredTexture, MaterialMap, PatternTexture, PlainTexture, Texture
@@ -24,6 +24,8 @@ def rvalue(items: Sequence[Item], places: Sequence[Place], what: str, place: Pla
     Raises:
         SdlError: they make none, or more than one.
     """
+    if items and items[-1] is SEMICOLON:
+        items, places = items[:-1], places[:-1]
     if len(items) == 1 and not isinstance(items[0], Word):
         return complete(items[0])
     if not items:
