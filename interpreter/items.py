@@ -16,6 +16,7 @@ from minipov.interpreter.errors import NOWHERE, Place
 
 if TYPE_CHECKING:
     from minipov.interpreter.reader import ItemReader
+    from minipov.tracer.function import Function
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +70,15 @@ class Entry:
 
     items: tuple[Item, ...]
     places: tuple[Place, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionImage:
+    """``function W, H { ... }``: a function to be sampled on the unit square, in place of an image file."""
+
+    width: int
+    height: int
+    function: Function
 
 
 Item: TypeAlias = Any

@@ -158,7 +158,8 @@ class Declarations(ArrayLiterals):
 
 
 def _may_be_number(group: Sequence[tree.Item]) -> bool:
-    return len(group) == 1 and isinstance(group[0], EXPRESSIONS) and not isinstance(group[0], tree.FunctionLiteral)
+    own_end = tree.FunctionLiteral | tree.Call  # a macro's body may bring the semicolon
+    return len(group) == 1 and isinstance(group[0], EXPRESSIONS) and not isinstance(group[0], own_end)
 
 
 def local_names(items: Sequence[tree.Item]) -> Iterator[str]:

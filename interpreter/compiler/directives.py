@@ -10,7 +10,6 @@ from minipov.interpreter.compiler.declarations import Declarations
 from minipov.interpreter.compiler.shapes import EXPRESSIONS, argument_groups, constant
 from minipov.interpreter.values import EPSILON
 
-
 _PART_OF_VALUES = (tree.If, tree.While, tree.For, tree.Switch, tree.Break, tree.Include)
 
 

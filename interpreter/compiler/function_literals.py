@@ -19,9 +19,7 @@ _DEFAULT_PARAMETERS: Final = ("x", "y", "z")
 _ALIASES: Final = {"u": "x", "v": "y"}
 FLOAT_FUNCTIONS: Final = {
     **dict.fromkeys(
-        (
-            "abs acos acosh asin asinh atan atanh ceil cos cosh degrees exp floor int ln log radians sin sinh sqrt tan tanh"
-        ).split(),
+        ["abs", "acos", "acosh", "asin", "asinh", "atan", "atanh", "ceil", "cos", "cosh", "degrees", "exp", "floor", "int", "ln", "log", "radians", "sin", "sinh", "sqrt", "tan", "tanh"],
         (1, 1),
     ),
     **dict.fromkeys(("atan2", "mod", "pow"), (2, 2)),

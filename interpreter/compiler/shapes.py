@@ -128,9 +128,7 @@ def _color_extent(items: Sequence[tree.Item], start: int) -> int | None:
     at = start
     while at < len(items):
         item = items[at]
-        if isinstance(item, tree.Keyword) and item.name in COLOR_WORDS:
-            at += 1
-        elif isinstance(item, EXPRESSIONS) and isinstance(items[at - 1], tree.Keyword):
+        if (isinstance(item, tree.Keyword) and item.name in COLOR_WORDS) or (isinstance(item, EXPRESSIONS) and isinstance(items[at - 1], tree.Keyword)):
             at += 1
         else:
             break

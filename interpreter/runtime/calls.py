@@ -8,11 +8,11 @@ from typing import Any, NoReturn
 from minipov.interpreter.arrays import Array, Dictionary, subscript
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import COMMA, Item, Sink, Word
+from minipov.interpreter.runtime.builtins import BUILTINS
 from minipov.interpreter.runtime.evaluate import call_function
 from minipov.interpreter.runtime.macros import Macro
 from minipov.interpreter.runtime.names import Cell, ElementCell, Symbol
 from minipov.interpreter.runtime.rvalues import rvalue
-from minipov.interpreter.runtime.builtins import BUILTINS
 from minipov.interpreter.runtime.splice import Spliced, items_of, joined
 from minipov.interpreter.values import Vector, kind_of
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from minipov.interpreter.errors import SdlError
-from minipov.interpreter.items import Sink, Word, complete
+from minipov.interpreter.items import FunctionImage, Sink, Word, complete
 from minipov.interpreter.runtime.splines import evaluate
 from minipov.interpreter.values import Vector, kind_of
 from minipov.tracer.function import (
@@ -153,15 +152,6 @@ def block_function(sink: Sink) -> Function:
     if isinstance(value, Spline):
         return SplineFunction(value)
     raise SdlError(f"{kind_of(value)} cannot be a function", sink.place)
-
-
-@dataclass(frozen=True, slots=True)
-class FunctionImage:
-    """``function W, H { ... }``: a function to be sampled on the unit square, in place of an image file."""
-
-    width: int
-    height: int
-    function: Function
 
 
 def sized_function(width: float, height: float, function: Function) -> FunctionImage:

@@ -12,7 +12,7 @@ from typing import Any
 
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.runtime.signature import builtin
-from minipov.interpreter.values import Vector, quotient, vector3
+from minipov.interpreter.values import quotient, vector3
 
 _INT_MIN, _INT_MAX = -(2**31), 2**31 - 1
 

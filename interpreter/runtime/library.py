@@ -9,10 +9,10 @@ from minipov.interpreter.arrays import UNSET, Array, copied, subscript
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import Item, Punctuation, Sink, Word
 from minipov.interpreter.runtime import calls, evaluate, operators, pending, splice
+from minipov.interpreter.runtime.builtins import BUILTINS
 from minipov.interpreter.runtime.macros import Macro
 from minipov.interpreter.runtime.names import Cell, FixedCell, Symbol
 from minipov.interpreter.runtime.program import Running
-from minipov.interpreter.runtime.builtins import BUILTINS
 from minipov.interpreter.values import EPSILON, Vector, kind_of
 from minipov.tracer import function
 

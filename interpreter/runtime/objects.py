@@ -12,7 +12,6 @@ from minipov.tracer.objects import Object
 from minipov.tracer.pattern import ImageMap
 from minipov.tracer.pigment import Pigment
 
-
 _asked: dict[int, tuple[Object, Any]] = {}
 _MOST_KEPT = 16
 

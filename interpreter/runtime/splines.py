@@ -60,7 +60,7 @@ def _point(curve: Spline, at: float, kind: str) -> tuple[float, ...]:
     parameters, values = _columns(curve)
     last = len(parameters) - 1
     first_valid, last_valid = (1, last - 1) if kind == "cubic_spline" and last >= 3 else (0, last)
-    if kind == "cubic_spline" and last < 3 or last == 0:
+    if (kind == "cubic_spline" and last < 3) or last == 0:
         kind = "linear_spline"
     if last == 0 or at <= parameters[first_valid]:
         return values[first_valid]
