@@ -131,7 +131,7 @@ def _write_with_oiio(path: Path, channels: NDArray[np.float32 | np.uint8 | np.ui
     if file.kind not in _FLOAT_KINDS:
         spec.attribute("oiio:UnassociatedAlpha", 1)
         _name_curve(spec, file.gamma)
-    output = oiio.ImageOutput.create(EXTENSIONS[file.kind])
+    output = oiio.ImageOutput.create("picture" + EXTENSIONS[file.kind])
     if output is None or not output.open(str(path), spec):
         raise OSError(f"cannot write {path}: {output.geterror() if output else oiio.geterror()}")
     written = output.write_image(np.ascontiguousarray(channels))
