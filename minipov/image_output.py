@@ -70,7 +70,7 @@ def write_image(path: Path | Literal["-"], pixels: NDArray[np.floating], working
             sys.stdout.buffer.flush()
         return
     channels = stored_channels(np.asarray(pixels, np.float64), working, file)
-    unfinished = path.with_name(path.name + ".part")
+    unfinished = path.with_name(f"{path.stem}.part{EXTENSIONS[file.kind]}")
     try:
         if file.kind == "ppm":
             unfinished.write_bytes(_netpbm(channels, file.bits))
@@ -131,7 +131,7 @@ def _write_with_oiio(path: Path, channels: NDArray[np.float32 | np.uint8 | np.ui
     if file.kind not in _FLOAT_KINDS:
         spec.attribute("oiio:UnassociatedAlpha", 1)
         _name_curve(spec, file.gamma)
-    output = oiio.ImageOutput.create("picture" + EXTENSIONS[file.kind])
+    output = oiio.ImageOutput.create(str(path))
     if output is None or not output.open(str(path), spec):
         raise OSError(f"cannot write {path}: {output.geterror() if output else oiio.geterror()}")
     written = output.write_image(np.ascontiguousarray(channels))

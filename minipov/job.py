@@ -9,16 +9,16 @@ from pathlib import Path
 from minipov.console import Console
 from minipov.frames import Frame, frames
 from minipov.image_output import FileFormat, write_image
-from minipov.interpreter.errors import Messages, SdlError
+from minipov.interpreter import Messages, SdlError, load, load_text
 from minipov.options import CommandLine, UsageError
 from minipov.output_name import file_format, output_path
-from minipov.pipeline import load_options, load_scene, render_settings, trace
+from minipov.pipeline import load_options, render_settings, trace
 from minipov.statistics_table import statistics_table
 from minipov.tracer.render import RenderJob
 from minipov.tracer.settings import RenderSettings
 
 OK, SCENE_ERROR, USAGE_ERROR, INTERRUPTED = 0, 1, 2, 130
-_ENTRY = "minipov-entry.pov"
+_ENTRY = "command line"
 
 
 def run(command: CommandLine, console: Console) -> int:
@@ -53,19 +53,21 @@ def run(command: CommandLine, console: Console) -> int:
 
 
 def _scene_source(command: CommandLine) -> tuple[Path, dict[str, bytes]]:
-    """Return the scene's path and the texts that are not files: standard input, and the header of ``+HI``."""
+    """Return the scene's path and the texts that are not files.
+
+    Standard input is one; another, under the name `_ENTRY`, stands before the scene to read the header of ``+HI``.
+    """
     name = command.text("Input_File_Name")
     sources: dict[str, bytes] = {}
     if name == "-":
-        sources["stdin"] = sys.stdin.buffer.read()
         scene = Path("stdin")
+        sources["stdin"] = sys.stdin.buffer.read()
     else:
         scene = _with_extension(Path(name), command.library_paths)
     header = command.text("Include_Header")
-    if header:
-        # The two are read as one: a scene that includes both.
-        entry = scene.with_name(_ENTRY)
-        sources[str(entry)] = f'#include "{header}"\n#include "{scene}"\n'.encode()
+    before = f'#include "{header}"\n' if header else ""
+    if sources or header:
+        sources[_ENTRY] = f'{before}#include "{scene}"\n'.encode()
     return scene, sources
 
 
@@ -92,9 +94,9 @@ def _render_frame(
         raise FileNotFoundError(2, "no such folder", str(target.parent))
     console.heading("Parsing...")
     started = time.perf_counter()
-    entry = scene.with_name(_ENTRY)
-    source = entry if str(entry) in sources else scene
-    loaded = load_scene(source, load_options(command, frame, sources), Messages(sink=console.message))
+    options, messages = load_options(command, frame, sources), Messages(sink=console.message)
+    text = sources.get(_ENTRY)
+    loaded = load(scene, options, messages) if text is None else load_text(text.decode(), _ENTRY, options, messages)
     load_seconds = time.perf_counter() - started
     console.heading("Rendering...")
     job = RenderJob(loaded, settings)

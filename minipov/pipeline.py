@@ -1,29 +1,20 @@
-"""The way of a scene, from options to a file: load, render, write. The command line and the API share these steps."""
+"""From options to what the interpreter and the tracer ask for, and waiting for a render."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from pathlib import Path
 
-from minipov import interpreter
 from minipov.frames import Frame
 from minipov.image_input import load_image
 from minipov.include_path import library_folders
 from minipov.interpreter.context import Options as LoadOptions
-from minipov.interpreter.errors import Messages
 from minipov.options import CommandLine, UsageError
 from minipov.tracer.render import RenderJob, RenderResult
-from minipov.tracer.scene import Scene
 from minipov.tracer.settings import Antialiasing, RenderSettings
 
 POLL_SECONDS = 0.05
 _MAX_PIXELS = 1 << 28
-
-
-def load_scene(path: Path, options: LoadOptions, messages: Messages) -> Scene:
-    """Read and run a scene file. Raises SdlError for a mistake in the scene, OSError where it cannot be read."""
-    return interpreter.load(path, options, messages)
 
 
 def load_options(command: CommandLine, frame: Frame, files: dict[str, bytes]) -> LoadOptions:
