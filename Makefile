@@ -1,6 +1,6 @@
 # Two commands: `make demo` renders a first picture, `make test` runs all tests. They prepare everything they need.
 .DEFAULT_GOAL := help
-.PHONY: help build demo test check parity bench clean rust povray
+.PHONY: help build quick demo test check parity bench clean rust povray
 SHELL := /bin/bash
 
 # The first that runs and is new enough: a name on the PATH may be a version manager's shim for a Python that is not there.
@@ -22,6 +22,10 @@ build: $(VENV)/installed ## build the package into .venv
 $(VENV)/installed: pyproject.toml $(RUST_SOURCES) | $(BIN)/python rust
 	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[test,check]'
 	@touch $@
+
+quick: ## rebuild only the core, incrementally, into an environment that `make build` made
+	$(CARGO) build --quiet --profile quick --features python --manifest-path tracer/Cargo.toml
+	@$(BIN)/python -c 'import shutil, sysconfig; shutil.copyfile("tracer/target/quick/libminipov_tracer.so", "tracer/_core" + sysconfig.get_config_var("EXT_SUFFIX"))'
 
 $(BIN)/python:
 	@test -n "$(PYTHON)" && "$(PYTHON)" -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
