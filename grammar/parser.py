@@ -37,7 +37,7 @@ def parse(text: str, path: str = "") -> tree.File:
         SdlSyntaxError: the text is not SDL.
     """
     try:
-        items: Any = _parser().parse((text, path))  # type: ignore[arg-type]  # handed on to SdlLexer as it is
+        items: Any = _parser().parse((text, path))
     except UnexpectedInput as error:
         raise explain(error, text, path) from None
     return tree.File(path, items)

@@ -1,4 +1,4 @@
-"""SDL: ``array[3][2] { {1, 2}, {3, 4} }``, and the containers of 3.8: ``array mixed[2]``, ``array`` that grows, ``dictionary``."""
+"""SDL: ``array[3][2] { {1, 2}, {3, 4} }``; of 3.8 ``array mixed[2]``, ``array`` that grows, ``dictionary``."""
 
 from __future__ import annotations
 

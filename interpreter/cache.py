@@ -1,7 +1,8 @@
 """Compiled files on disk, so that the standard includes load in milliseconds.
 
-A file is known by its content and path, and by the versions of Python and of all code that takes part in compiling. What
-cannot be read back is compiled anew; entries are written under another name first, so that readers never see half of one.
+A file is known by its content and path, and by the versions of Python and of all code that takes part in compiling.
+What cannot be read back is compiled anew; entries are written under another name first, so that readers never see half
+of one.
 """
 
 from __future__ import annotations
@@ -59,7 +60,7 @@ def _entry(path: str, content: bytes) -> Path | None:
 
 
 def cache_folder() -> Path | None:
-    """Where compiled files are kept; None where nothing can be. ``MINIPOV_CACHE`` names another folder, empty for none."""
+    """Where compiled files are kept, if anywhere. ``MINIPOV_CACHE`` names another folder, empty for none."""
     given = os.environ.get("MINIPOV_CACHE")
     if given is not None:
         return Path(given) if given else None

@@ -1,4 +1,4 @@
-"""SDL: ``rgb <1, 0.5, 0>``, ``color Red transmit 0.5``, ``srgbft <...>``, ``red 1 green 0.5``: colours among a block's items."""
+"""SDL: ``rgb <1, 0.5, 0>``, ``color Red transmit 0.5``, ``red 1 green 0.5``: colours among a block's items."""
 
 from __future__ import annotations
 

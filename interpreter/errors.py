@@ -39,7 +39,7 @@ def where(place: Place) -> str:
 
 
 def format_error(error: SdlError, sources: Mapping[str, str]) -> str:
-    """The error as people read it: place and message, the source line with a caret, the hint, the open macros and includes.
+    """The error as people read it: place, message, source line with a caret, hint, open macros and includes.
 
     ``sources`` maps file names, as they stand in places, to their text; what is missing is left out.
     """

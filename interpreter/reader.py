@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NoReturn, TypeVar
+from typing import Any, NoReturn, TypeAlias, TypeVar
 
 from minipov.interpreter.colors import COLOR_WORDS, read_color
 from minipov.interpreter.errors import Place, SdlError
@@ -12,6 +12,7 @@ from minipov.interpreter.values import Vector, kind_of
 from minipov.tracer.values import Rgb, Rgbft, Vec2, Vec3, Vec4
 
 T = TypeVar("T")
+Terms: TypeAlias = tuple[float, ...]
 
 
 class ItemReader:
@@ -95,7 +96,7 @@ class ItemReader:
 
     # --- numbers, vectors, colours ---
 
-    def terms(self, what: str, most: int) -> tuple[float, ...]:
+    def terms(self, what: str, most: int) -> Terms:
         """A float (one term) or vector of at most ``most`` terms, with an optional comma before it."""
         self.comma()
         item = self.peek()
@@ -150,7 +151,7 @@ class ItemReader:
         a, b, c, d = self._promoted("a 4-dimensional vector", 4)
         return (a, b, c, d)
 
-    def _promoted(self, what: str, size: int) -> tuple[float, ...]:
+    def _promoted(self, what: str, size: int) -> Terms:
         terms = self.terms(what, size)
         return terms * size if len(terms) == 1 else terms + (0.0,) * (size - len(terms))
 

@@ -1,7 +1,8 @@
 """The values of SDL: floats are Python floats, vectors and colours one immutable type.
 
-A float beside a vector is copied to all terms; a shorter vector is padded with zeros; operators work term by term, relations
-give 1 or 0 per term. ``V.x``, ``V.red``, ``V.gray`` are properties, so compiled code reads them as attributes.
+A float beside a vector is copied to all terms; a shorter vector is padded with zeros; operators work term by term,
+relations give 1 or 0 per term. ``V.x``, ``V.red``, ``V.gray`` are properties, so compiled code reads them as
+attributes.
 """
 
 from __future__ import annotations
@@ -43,7 +44,7 @@ class Vector(tuple[float, ...]):
         """The terms, with zeros up to ``size``."""
         return tuple(self) + (0.0,) * (size - len(self))
 
-    def __add__(self, other: Any) -> Vector:  # type: ignore[override]
+    def __add__(self, other: Any) -> Vector:
         if other.__class__ is Vector and len(self) == 3 == len(other):
             (a, b, c), (d, e, f) = self, other
             return _new(Vector, (a + d, b + e, c + f))
@@ -61,12 +62,12 @@ class Vector(tuple[float, ...]):
     def __rsub__(self, other: Any) -> Vector:
         return _termwise(other, self, float.__sub__)
 
-    def __mul__(self, other: Any) -> Vector:  # type: ignore[override]
+    def __mul__(self, other: Any) -> Vector:
         if other.__class__ is float:
             return _new(Vector, [a * other for a in self])
         return _termwise(self, other, float.__mul__)
 
-    def __rmul__(self, other: Any) -> Vector:  # type: ignore[override]
+    def __rmul__(self, other: Any) -> Vector:
         if other.__class__ is float:
             return _new(Vector, [other * a for a in self])
         return _termwise(other, self, float.__mul__)
@@ -143,7 +144,7 @@ def widened(value: tuple[float, ...], size: int) -> tuple[float, ...]:
 
 def _termwise(a: Any, b: Any, operation: Callable[[float, float], float]) -> Vector:
     if not isinstance(a, float | int | Vector) or not isinstance(b, float | int | Vector):
-        return NotImplemented
+        return NotImplemented  # type: ignore[no-any-return]  # handed on by the operators
     return _new(Vector, map(operation, *promoted(a, b)))
 
 
@@ -171,7 +172,7 @@ def vector3(value: Any) -> tuple[float, float, float]:
         TypeError: not a vector, or one of more terms.
     """
     if value.__class__ is Vector and len(value) == 3:
-        return value  # type: ignore[no-any-return]  # three terms, as just seen
+        return value
     if isinstance(value, Vector) and len(value) > 3:
         raise TypeError(f"expected a vector of three terms, found one of {len(value)}")
     a, b, c = widened(terms(value), 3)

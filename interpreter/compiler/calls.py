@@ -1,7 +1,8 @@
 """SDL: ``M(A, 2)``, ``F(x.y)``, ``sin(a)``, ``concat(...)``, ``defined(X)``, ``trace(...)``: calls.
 
 Whether ``M`` is a macro is known only when the scene runs. Macros take cells (the caller's own where the argument is a
-variable), all else takes values; so a call is compiled for both, and arguments that are not trivial are worked out once.
+variable), all else takes values; so a call is compiled for both, and arguments that are not trivial are worked out
+once.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """Values that compiled code refers to but a code object cannot hold: vectors, words, arrays of numbers, runs of items.
 
-They are written down as plain data (so that the whole file's code can be cached on disk) and made once when it is loaded.
+They are written down as plain data (so that the whole file's code can be cached on disk) and made once when it is
+loaded.
 """
 
 from __future__ import annotations

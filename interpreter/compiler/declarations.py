@@ -1,6 +1,7 @@
 """SDL: ``#declare X = 1;``, ``#local A[i] = ...``, ``#undef X``, ``#for`` variables: giving names a meaning.
 
-A local lives in the Python variables ``l_X`` (its cell, None before it exists) and ``o_X`` (what the name meant before).
+A local lives in the Python variables ``l_X`` (its cell, None before it exists) and ``o_X`` (what the name meant
+before).
 """
 
 from __future__ import annotations

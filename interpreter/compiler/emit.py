@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 from minipov.grammar import tree
+
+Statements: TypeAlias = list[ast.stmt]
+Names: TypeAlias = list[str]
 
 
 class Emitter:
@@ -16,7 +19,7 @@ class Emitter:
 
     def __init__(self) -> None:
         self.line, self.column = 1, 1
-        self._place: dict[str, int] = {}
+        self._place: dict[str, Any] = {}
         self.move(1, 1)
 
     def at(self, node: tree.Node) -> Emitter:
@@ -106,11 +109,11 @@ class Emitter:
         """``of.attribute = value``."""
         return ast.Assign([ast.Attribute(of, attribute, ast.Store(), **self._place)], value, **self._place)
 
-    def if_(self, test: ast.expr, body: list[ast.stmt], otherwise: list[ast.stmt]) -> ast.stmt:
+    def if_(self, test: ast.expr, body: Statements, otherwise: Statements) -> ast.stmt:
         """``if test: body else: otherwise``."""
         return ast.If(test, body or [self.nothing()], otherwise, **self._place)
 
-    def while_(self, test: ast.expr, body: list[ast.stmt]) -> ast.stmt:
+    def while_(self, test: ast.expr, body: Statements) -> ast.stmt:
         """``while test: body``."""
         return ast.While(test, body or [self.nothing()], [], **self._place)
 
@@ -122,7 +125,7 @@ class Emitter:
         """``pass``."""
         return ast.Pass(**self._place)
 
-    def nonlocal_(self, names: list[str]) -> ast.stmt:
+    def nonlocal_(self, names: Names) -> ast.stmt:
         """``nonlocal names``."""
         return ast.Nonlocal(names, **self._place)
 
@@ -130,7 +133,7 @@ class Emitter:
         """``return value``."""
         return ast.Return(value, **self._place)
 
-    def function(self, name: str, parameters: Sequence[str], body: list[ast.stmt], opens: bool) -> ast.stmt:
+    def function(self, name: str, parameters: Sequence[str], body: Statements, opens: bool) -> ast.stmt:
         """``def name(parameters, open=True): body``."""
         arguments = [ast.arg(parameter, **self._place) for parameter in parameters]
         defaults: list[ast.expr] = []

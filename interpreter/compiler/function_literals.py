@@ -1,4 +1,4 @@
-"""SDL: ``function (x, y) { sin(x)*y + F(x, 0, 0) }``: code that builds the tree of a function (`minipov.tracer.function`).
+"""SDL: ``function (x, y) { sin(x)*y + F(x, 0, 0) }``: code that builds a function's tree (`minipov.tracer.function`).
 
 Names are looked up when the function is declared: floats are kept as constants, functions as calls.
 """
@@ -17,11 +17,12 @@ from minipov.interpreter.values import COMPONENTS
 
 _DEFAULT_PARAMETERS: Final = ("x", "y", "z")
 _ALIASES: Final = {"u": "x", "v": "y"}
+_UNARY_FUNCTIONS: Final = (
+    "abs", "acos", "acosh", "asin", "asinh", "atan", "atanh", "ceil", "cos", "cosh", "degrees", "exp", "floor", "int",
+    "ln", "log", "radians", "sin", "sinh", "sqrt", "tan", "tanh",
+)  # fmt: skip
 FLOAT_FUNCTIONS: Final = {
-    **dict.fromkeys(
-        ["abs", "acos", "acosh", "asin", "asinh", "atan", "atanh", "ceil", "cos", "cosh", "degrees", "exp", "floor", "int", "ln", "log", "radians", "sin", "sinh", "sqrt", "tan", "tanh"],
-        (1, 1),
-    ),
+    **dict.fromkeys(_UNARY_FUNCTIONS, (1, 1)),
     **dict.fromkeys(("atan2", "mod", "pow"), (2, 2)),
     **dict.fromkeys(("max", "min"), (1, 99)),
     "select": (3, 4),
@@ -67,8 +68,8 @@ class FunctionLiterals(Calls):
         """Code that gives the `Expression` of one piece of the body."""
         self.emit.at(node)
         match node:
-            case tree.Number(value=value):
-                return self.emit.call("Constant", self.emit.constant(value))
+            case tree.Number(value=number):
+                return self.emit.call("Constant", self.emit.constant(number))
             case tree.Paren(inner=inner):
                 return self._body(inner, scope)
             case tree.Name(name=name) | tree.ConstantWord(name=name) if name in scope:

@@ -1,4 +1,4 @@
-"""SDL: what stands between directives: words, values, blocks, brackets. They are pushed, in runs as long as possible."""
+"""SDL: what stands between directives: words, values, blocks, brackets. They are pushed, in runs where possible."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Items(FunctionLiterals):
     """Whether the function has a variable ``open`` that asks for open terms."""
 
     def directive(self, items: Sequence[tree.Item], at: int) -> int:
-        """Statements for the directive ``items[at]``; gives the index after it (and after the value of a declaration)."""
+        """Statements for the directive ``items[at]``; gives the index after it (and after a declaration's value)."""
         raise NotImplementedError
 
     def items(self, items: Sequence[tree.Item]) -> None:

@@ -16,7 +16,7 @@ ENTRY = "file_items"
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """Run ``code`` in a namespace that holds the symbols (``s_NAME``) and constants (``k0`` ...), then call ``entry``."""
+    """Run ``code`` in a namespace with the symbols (``s_NAME``) and constants (``k0`` ...), then call ``entry``."""
 
     path: str
     code: CodeType

@@ -25,8 +25,8 @@ EXPRESSIONS: Final = (
 )  # fmt: skip
 DIRECTIVES: Final = (
     tree.Declare, tree.Undef, tree.Include, tree.If, tree.Switch, tree.While, tree.For, tree.Break, tree.Macro,
-    tree.Default, tree.Version, tree.Print, tree.FileOpen, tree.FileClose, tree.FileRead, tree.FileWrite, tree.FileWriteOpen,
-    tree.Obsolete,
+    tree.Default, tree.Version, tree.Print, tree.FileOpen, tree.FileClose, tree.FileRead, tree.FileWrite,
+    tree.FileWriteOpen, tree.Obsolete,
 )  # fmt: skip
 
 
@@ -128,7 +128,9 @@ def _color_extent(items: Sequence[tree.Item], start: int) -> int | None:
     at = start
     while at < len(items):
         item = items[at]
-        if (isinstance(item, tree.Keyword) and item.name in COLOR_WORDS) or (isinstance(item, EXPRESSIONS) and isinstance(items[at - 1], tree.Keyword)):
+        if (isinstance(item, tree.Keyword) and item.name in COLOR_WORDS) or (
+            isinstance(item, EXPRESSIONS) and isinstance(items[at - 1], tree.Keyword)
+        ):
             at += 1
         else:
             break

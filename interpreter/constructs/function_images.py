@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from minipov.interpreter.runtime.evaluate import FunctionImage, call_function
+from minipov.interpreter.items import FunctionImage
+from minipov.interpreter.runtime.evaluate import call_function
 from minipov.tracer.function import PigmentFunction
 from minipov.tracer.image import Image
 

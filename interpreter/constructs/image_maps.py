@@ -10,10 +10,9 @@ from minipov.interpreter.constructs.files import IMAGE_TYPES, find, image
 from minipov.interpreter.constructs.function_images import sampled
 from minipov.interpreter.constructs.texture import TEXTURE_TYPES
 from minipov.interpreter.context import Context
-from minipov.interpreter.items import Block, Sink
+from minipov.interpreter.items import Block, FunctionImage, Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
-from minipov.interpreter.runtime.evaluate import FunctionImage
 from minipov.tracer.image import Image, ImageMapping
 from minipov.tracer.pattern import ImageMap, ImagePattern
 from minipov.tracer.settings import Gamma

@@ -78,7 +78,7 @@ def sor(reader: ItemReader, context: Context) -> Shape:
 
 def _has_outline(points: Sequence[Vec2]) -> bool:
     """Whether there is a piece of a surface of revolution between the second and third of four points."""
-    (before, y0), (low, y1), (high, y2), (after, y3) = points
+    (before, y0), (low, y1), (high, y2), (_, y3) = points
     return min(before, low, high) >= 0.0 and y1 < y2 and y0 != y2 and y1 != y3
 
 

@@ -29,7 +29,11 @@ _PLAIN: dict[str, Any] = {
     **{name: getattr(evaluate, name) for name in (
         "captured", "function_call", "internal_function", "block_function", "sized_function",
     )},
-    **{name: getattr(function, name) for name in ("ExpressionFunction", "Constant", "Parameter", "Operation", "Accumulate")},
+    "ExpressionFunction": function.ExpressionFunction,
+    "Constant": function.Constant,
+    "Parameter": function.Parameter,
+    "Operation": function.Operation,
+    "Accumulate": function.Accumulate,
     "Cell": Cell,
     "FixedCell": FixedCell,
     "Macro": Macro,
@@ -44,7 +48,7 @@ _PLAIN: dict[str, Any] = {
 
 def is_case(value: Any, wanted: Any) -> bool:
     """``#case``."""
-    return abs(value - wanted) < EPSILON
+    return bool(abs(value - wanted) < EPSILON)
 
 
 def in_range(value: float, low: float, high: float) -> bool:

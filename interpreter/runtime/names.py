@@ -1,9 +1,9 @@
 """SDL: ``#declare``, ``#local``, ``#undef``: names and what they stand for.
 
 Scoping is dynamic: a macro sees its callers' locals, then the globals. Every name of a running scene is one `Symbol`,
-which points at the `Cell` that the name means *now*. A macro that makes a local points the symbol at a new cell and, when
-it ends, back at the old one; so reading a name is ``symbol.c.v`` wherever the program is. A parameter passed by reference
-is the caller's own cell under another name.
+which points at the `Cell` that the name means *now*. A macro that makes a local points the symbol at a new cell and,
+when it ends, back at the old one; so reading a name is ``symbol.c.v`` wherever the program is. A parameter passed by
+reference is the caller's own cell under another name.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Cell:
 
 
 class FixedCell:
-    """Holds a function, macro or file: what may not be declared anew without ``#undef`` (macros: without ``#macro``)."""
+    """Holds a function, macro or file: not to be declared anew without ``#undef`` (macros: without ``#macro``)."""
 
     __slots__ = ("name", "outer", "value")
 

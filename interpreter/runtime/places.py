@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from itertools import islice
+from itertools import islice, pairwise
 from types import CodeType, FrameType, TracebackType
 from typing import Final
 
@@ -17,7 +17,7 @@ MACRO_PREFIX: Final = "macro_"
 
 
 def position(code: CodeType, instruction: int, file: str, shift: int) -> Place:
-    """The place of the instruction at byte ``instruction``; ``shift`` lines further down for code used for many lines."""
+    """The place of the instruction at byte ``instruction``; ``shift`` lines down for code that serves many lines."""
     line, _, column, _ = next(islice(code.co_positions(), instruction // 2, None), (None,) * 4)
     return (file, (line or 0) + shift, (column or 0) + 1)
 
@@ -41,7 +41,7 @@ def current_place() -> Place:
 
 
 def trace(traceback: TracebackType | None) -> list[tuple[str, Place]]:
-    """The compiled frames of an exception, the innermost first: the macro's name ("" for a file's own code) and place."""
+    """The compiled frames of an exception, innermost first: the macro's name ("" for a file's own code) and place."""
     frames = []
     while traceback is not None:
         if is_scene(traceback.tb_frame):
@@ -56,6 +56,6 @@ def trace(traceback: TracebackType | None) -> list[tuple[str, Place]]:
 def call_stack(frames: list[tuple[str, Place]]) -> tuple[tuple[str, Place], ...]:
     """The calls and includes that led to the innermost of ``frames``, as `SdlError.stack` has them."""
     stack = []
-    for (name, (file, _, _)), (_, caller) in zip(frames, frames[1:], strict=False):
+    for (name, (file, _, _)), (_, caller) in pairwise(frames):
         stack.append((f"in macro {name}" if name else f"in {file}", caller))
     return tuple(stack)

@@ -1,4 +1,4 @@
-"""A running scene: it loads compiled files, gives them the names that their code uses, and keeps what directives change."""
+"""A running scene: it loads compiled files, gives them the names that they use, and keeps what directives change."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """SDL: ``#include "colors.inc"``: where the files that a scene names are found.
 
-As given (from the working directory), beside the file that names it and beside the main scene, then in each library path.
-Where nothing is found, the usual extensions are tried. ``files`` of the options come first: sources without a file.
+As given (from the working directory), beside the file that names it and beside the main scene, then in each library
+path. Where nothing is found, the usual extensions are tried. ``files`` of the options come first: sources without a
+file.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """SDL: ``spline { cubic_spline 0, <0,0,0> 1, <1,2,3> }`` and its value ``S(0.5)``.
 
-Outside its range a spline keeps its first or last value; the end points of a cubic (Catmull-Rom) spline only give directions.
+Outside its range a spline keeps its first or last value; the end points of a cubic (Catmull-Rom) spline only give
+directions.
 """
 
 from __future__ import annotations

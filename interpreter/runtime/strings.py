@@ -27,7 +27,7 @@ def text(value: Any) -> str:
 
 
 def formatted(value: float, width: float, precision: float) -> str:
-    """A float as C's printf writes it: at least ``abs(width)`` characters, filled with zeros if ``width`` is negative."""
+    """A float as C's printf writes it: at least ``abs(width)`` characters, zeros in front if ``width`` is negative."""
     places = int(precision) if precision >= 0 else 6
     size = min(abs(int(width)), _LONGEST)
     if not math.isfinite(value):

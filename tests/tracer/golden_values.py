@@ -1,7 +1,7 @@
 """Asks POV-Ray for the values that the core's tests compare with: `python tests/tracer/golden_values.py`.
 
-Writes `tracer/tests/golden_values/<group>.txt`: first the points (three numbers a line), then for each case a line with its name,
-a colon and one value per point. The Rust tests rebuild the cases by name.
+Writes `tracer/tests/golden_values/<group>.txt`: first the points (three numbers a line), then for each case a line with
+its name, a colon and one value per point. The Rust tests rebuild the cases by name.
 """
 
 from __future__ import annotations
