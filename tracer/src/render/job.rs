@@ -5,7 +5,8 @@ use std::sync::Mutex;
 
 use rayon::prelude::*;
 
-use super::tile::{tiles, Size, Tile};
+use super::tile::{tiles, Tile};
+use super::view::{Size, View};
 use super::Picture;
 use crate::accel::Counters;
 use crate::graph::settings::RenderSettings;
@@ -64,12 +65,17 @@ impl Job {
     fn render_tiles(&self) {
         let size = Size { width: self.settings.width, height: self.settings.height };
         self.tiles.par_iter().with_max_len(1).for_each_init(
-            || Tracer::new(&self.scene),
+            || Tracer::new(&self.scene, &self.cancelled),
             |tracer, tile| {
-                if self.cancelled.load(Ordering::Relaxed) {
+                if self.is_cancelled() {
                     return;
                 }
-                let colors = tile.render(tracer, size);
+                let antialiasing = self.settings.antialiasing.as_ref();
+                let colors = tile.render(&mut View { tracer, size }, antialiasing);
+                // A tile cut short is no part of the picture.
+                if self.is_cancelled() {
+                    return;
+                }
                 self.picture.put(tile, &colors);
                 let counted = std::mem::take(&mut tracer.counters);
                 self.counters.lock().expect("merging does not panic").merge(&counted);
@@ -78,7 +84,7 @@ impl Job {
         );
     }
 
-    /// Asks the threads to stop after their tiles.
+    /// Asks the threads to stop; tiles not finished by then are left out.
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::Relaxed);
     }

@@ -1,9 +1,11 @@
 //! From a prepared scene to a picture: tiles on several threads.
 
+mod antialias;
 mod job;
 mod picture;
 mod random;
 mod tile;
+mod view;
 
 pub use job::{Job, Progress};
 pub use picture::Picture;

@@ -2,9 +2,11 @@
 
 use std::ops::Range;
 
+use super::antialias;
+use super::view::View;
 use crate::color::Rgb;
-use crate::prepare::Scene;
-use crate::shade::{Radiance, Tracer};
+use crate::graph::settings::Antialiasing;
+use crate::shade::Radiance;
 
 /// Pixels per side; POV-Ray's anti-aliasing looks across pixels of one such block only, so this is part of the picture.
 pub const SIDE: usize = 32;
@@ -27,40 +29,30 @@ pub fn tiles(columns: Range<usize>, rows: Range<usize>) -> Vec<Tile> {
     rows.iter().flat_map(|r| columns.iter().map(|c| Tile { columns: c.clone(), rows: r.clone() })).collect()
 }
 
-/// The size of the whole picture, in pixels.
-#[derive(Clone, Copy, Debug)]
-pub struct Size {
-    /// Pixels per row.
-    pub width: usize,
-    /// Number of rows.
-    pub height: usize,
-}
-
 impl Tile {
-    /// Colours of the tile's pixels, row by row, one ray each.
-    pub fn render(&self, tracer: &mut Tracer, size: Size) -> Vec<[f32; 4]> {
+    /// Colours of the tile's pixels, row by row; one ray each without anti-aliasing.
+    pub fn render(&self, view: &mut View, antialiasing: Option<&Antialiasing>) -> Vec<[f32; 4]> {
+        let colors = match antialiasing {
+            Some(settings) if settings.method == 1 => antialias::fixed_grid(view, self, settings),
+            Some(settings) => antialias::recursive(view, self, settings),
+            None => self.plain(view),
+        };
+        colors.iter().map(pixel).collect()
+    }
+
+    fn plain(&self, view: &mut View) -> Vec<Radiance> {
         let mut colors = Vec::with_capacity(self.columns.len() * self.rows.len());
         for y in self.rows.clone() {
             for x in self.columns.clone() {
-                let seen = sample(tracer, size, x as f64 + 0.5, y as f64 + 0.5);
-                colors.push(pixel(&seen));
+                colors.push(view.sample(x as f64 + 0.5, y as f64 + 0.5));
             }
         }
         colors
     }
 }
 
-/// Light through one point of the picture, in pixels from the left and from the top.
-pub fn sample(tracer: &mut Tracer, size: Size, x: f64, y: f64) -> Radiance {
-    let scene: &Scene = tracer.scene;
-    match scene.camera.path(x / size.width as f64, y / size.height as f64) {
-        Some(path) => tracer.trace(&path, 1.0),
-        None => Radiance { rgb: Rgb::BLACK, transmit: 1.0 },
-    }
-}
-
 /// Light as it is stored.
-pub fn pixel(seen: &Radiance) -> [f32; 4] {
+fn pixel(seen: &Radiance) -> [f32; 4] {
     let Rgb { r, g, b } = seen.rgb;
     [r as f32, g as f32, b as f32, (1.0 - seen.transmit) as f32]
 }

@@ -18,6 +18,8 @@ pub use layers::Spot;
 use reflect::mirror_direction;
 pub use texture::{Layer, Texture, TextureId};
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use crate::accel::{Counters, RayKind};
 use crate::color::Rgb;
 use crate::geometry::NodeId;
@@ -80,11 +82,13 @@ pub struct Tracer<'s> {
     grid: Vec<Option<Rgb>>,
     /// Scratch for textures seen together at one point.
     weights: Vec<(Option<u32>, f64)>,
+    /// Set by someone who no longer wants the picture: rays then see nothing, at once.
+    cancelled: &'s AtomicBool,
 }
 
 impl<'s> Tracer<'s> {
     /// A tracer that has counted nothing yet.
-    pub fn new(scene: &'s Scene) -> Tracer<'s> {
+    pub fn new(scene: &'s Scene, cancelled: &'s AtomicBool) -> Tracer<'s> {
         Tracer {
             scene,
             counters: Counters::default(),
@@ -94,6 +98,7 @@ impl<'s> Tracer<'s> {
             occluders: vec![None; scene.lights.len()],
             grid: Vec::new(),
             weights: Vec::new(),
+            cancelled,
         }
     }
 
@@ -125,6 +130,9 @@ impl<'s> Tracer<'s> {
     }
 
     fn follow(&mut self, path: &Path, weight: f64) -> Radiance {
+        if self.cancelled.load(Ordering::Relaxed) {
+            return Radiance::BLACK;
+        }
         let geometry = &self.scene.geometry;
         let hit = geometry.nearest(&path.ray, NEAREST, f64::INFINITY, path.kind, &mut self.counters);
         let (mut seen, distance) = match hit {
