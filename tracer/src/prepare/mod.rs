@@ -14,6 +14,7 @@ use crate::camera::Camera;
 use crate::geometry;
 use crate::graph::settings::{Accelerator, RenderSettings};
 use crate::graph::{self, Unsupported};
+use crate::texture::Builder;
 
 /// Makes a scene ready for rendering; what cannot be rendered is left out and listed.
 pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene, Vec<Unsupported>) {
@@ -24,12 +25,16 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
     let objects: Vec<_> = scene.objects.iter().cloned().chain(lights::visible(scene)).collect();
     let (geometry, mut unsupported) = geometry::prepare(&objects, kind);
     let quality = Quality::new(settings.quality);
-    let (textures, dresses) = textures::prepare(scene, &geometry, &quality, &mut unsupported);
+    let global = &scene.settings;
+    let mut patterns = Builder::new(i64::from(global.noise_generator), global.number_of_waves as usize);
+    let (textures, dresses) = textures::prepare(scene, &geometry, &quality, &mut patterns, &mut unsupported);
     let (lights, light_sets) = lights::prepare(scene, &geometry, &mut unsupported);
     let (camera, missing) = Camera::new(&scene.camera);
     unsupported.extend(missing.map(|what| Unsupported { feature: what.into(), source: String::new() }));
     let interiors = geometry.interiors.iter().map(|worn| (*worn.item).clone()).collect();
-    let global = &scene.settings;
+    let sky = Sky::new(scene, settings.alpha, &mut patterns);
+    let atmosphere = Atmosphere::new(scene, &quality);
+    unsupported.append(&mut patterns.unsupported);
     let mut prepared = Scene {
         geometry,
         textures,
@@ -38,8 +43,8 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
         lights,
         light_sets,
         camera,
-        sky: Sky::new(scene.background, settings.alpha),
-        atmosphere: Atmosphere::default(),
+        sky,
+        atmosphere,
         quality,
         uses_uv: true,
         max_trace_level: global.max_trace_level,

@@ -8,17 +8,20 @@ use crate::geometry::Geometry;
 use crate::graph::scene::Scene;
 use crate::graph::texture as graph;
 use crate::graph::{Shared, Unsupported};
+use crate::pattern::PatternKind;
 use crate::shade::{Finish, Layer, Texture, TextureId};
-use crate::texture::Pigment;
+use crate::texture::{self, BlendMap, Pigment};
 
 /// All textures, and those that geometry knows by number, the scene's default last.
 pub fn prepare(
     scene: &Scene,
     geometry: &Geometry,
-    _quality: &Quality,
+    quality: &Quality,
+    patterns: &mut texture::Builder,
     unsupported: &mut Vec<Unsupported>,
 ) -> (Vec<Texture>, Vec<Dress>) {
-    let mut builder = Builder { scene, unsupported, textures: Vec::new(), known: HashMap::new() };
+    let mut builder =
+        Builder { scene, quality, patterns, unsupported, textures: Vec::new(), known: HashMap::new() };
     let mut dresses: Vec<Dress> = Vec::new();
     for worn in &geometry.textures {
         let texture = builder.add(&worn.item);
@@ -36,6 +39,8 @@ pub fn prepare(
 
 struct Builder<'a> {
     scene: &'a Scene,
+    quality: &'a Quality,
+    patterns: &'a mut texture::Builder,
     unsupported: &'a mut Vec<Unsupported>,
     textures: Vec<Texture>,
     known: HashMap<usize, TextureId>,
@@ -57,20 +62,48 @@ impl Builder<'_> {
             graph::Texture::Layered(layered) => {
                 Texture::Layers(layered.layers.iter().rev().map(|layer| self.layer(layer)).collect())
             }
-            graph::Texture::Pattern(_) | graph::Texture::MaterialMap(_) => {
-                let feature = "texture_map".into();
-                self.unsupported.push(Unsupported { feature, source: String::new() });
-                Texture::Layers(Box::new([]))
-            }
+            graph::Texture::Pattern(patterned) => self.patterned(patterned),
+            graph::Texture::MaterialMap(_) => self.missing("material_map"),
         };
         let id = self.push(made);
         self.known.insert(texture.address(), id);
         id
     }
 
+    fn missing(&mut self, feature: &str) -> Texture {
+        self.unsupported.push(Unsupported { feature: feature.into(), source: String::new() });
+        Texture::Layers(Box::new([]))
+    }
+
+    /// Textures that a pattern chooses from or mixes.
+    fn patterned(&mut self, node: &graph::PatternTexture) -> Texture {
+        let pattern = self.patterns.pattern(&node.pattern, &node.modifiers);
+        match &node.blend {
+            graph::TextureBlend::Map(map) => {
+                let entries: Vec<_> = map.entries.iter().map(|(v, t)| (*v, self.add(t))).collect();
+                match pattern {
+                    // What the pattern would choose from is known, but not how: the first stands for all.
+                    None => self.textures[entries[0].1 as usize].clone(),
+                    Some(p) if matches!(p.kind, PatternKind::Average) => {
+                        Texture::Average(Box::new((p.modifiers, entries)))
+                    }
+                    Some(p) => Texture::Map(Box::new((p, BlendMap::new(entries)))),
+                }
+            }
+            graph::TextureBlend::List(list) => {
+                let textures: Vec<_> = list.textures.iter().map(|t| self.add(t)).collect();
+                match pattern {
+                    None => self.textures[textures[0] as usize].clone(),
+                    Some(p) => Texture::Blocks(Box::new((p, textures))),
+                }
+            }
+        }
+    }
+
     fn layer(&mut self, plain: &graph::PlainTexture) -> Layer {
+        let quick = plain.pigment.quick_color.filter(|_| self.quality.quick_colors);
         Layer {
-            pigment: Pigment::Solid(plain.pigment.color),
+            pigment: quick.map_or_else(|| self.patterns.pigment(&plain.pigment), Pigment::Solid),
             normal: None,
             finish: Finish::new(&plain.finish, self.scene.settings.ambient_light),
         }
