@@ -48,7 +48,7 @@ impl Tracer<'_> {
             scene.geometry.any(&ray, TOLERANCE, limit, RayKind::Shadow, &mut self.counters, |hit| {
                 clear = false;
                 if opaque(hit.node) {
-                    *last = Some(hit.node);
+                    *last = Some(hit.object);
                     Answer::Stop
                 } else {
                     Answer::Continue
