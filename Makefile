@@ -1,6 +1,6 @@
 # Two commands: `make demo` renders a first picture, `make test` runs all tests. They prepare everything they need.
 .DEFAULT_GOAL := help
-.PHONY: help build quick demo test check parity bench clean rust povray
+.PHONY: help build quick demo test check parity bench clean rust povray chromium
 SHELL := /bin/bash
 
 # The first that runs and is new enough: a name on the PATH may be a version manager's shim for a Python that is not there.
@@ -44,7 +44,10 @@ demo: build ## render scenes/gallery/demo.pov and say where the picture is
 povray:
 	@tools/install-povray
 
-test: build povray ## run cargo test and pytest (installs POV-Ray to compare with)
+chromium:
+	@tools/install-chromium
+
+test: build povray chromium ## run cargo test and pytest (installs POV-Ray and Chromium, which they need)
 	$(CARGO) test --quiet --manifest-path tracer/Cargo.toml
 	$(BIN)/python -m pytest -q -n 2
 

@@ -3,30 +3,30 @@
 from __future__ import annotations
 
 import html
-import shutil
 from collections.abc import Sequence
 from importlib import resources
 from pathlib import Path
 
-from minipov.compare.difference import write_difference
 from minipov.compare.rendering import Rendering
-from minipov.compare.survey import Comparison
+from minipov.compare.survey import DIFFERENCE, OURS, REFERENCE, Comparison, picture_name
 from minipov.compare.table import totals
+from minipov.compare.verdict import VERDICTS
 
-_COLUMNS = ("scene", "class", "minipov", "POV-Ray", "difference", "within2", "FLIP", "SSIM", "trace s", "POV-Ray s", "")
+_COLUMNS = (
+    "scene", "class", "minipov", "POV-Ray", "difference", "within2", "FLIP", "mean error", "SSIM",
+    "minipov trace s", "POV-Ray trace s", "minipov s", "POV-Ray s", "message",
+)  # fmt: skip
 
 
 def write_page(comparisons: Sequence[Comparison], folder: Path, title: str) -> Path:
-    """Write ``folder``/index.html with the pictures beside it and return its path."""
-    pictures = folder / "pictures"
-    pictures.mkdir(parents=True, exist_ok=True)
+    """Write ``folder``/index.html, which shows the pictures that the survey put into ``folder``/pictures."""
+    folder.mkdir(parents=True, exist_ok=True)
     template = resources.files("minipov.compare").joinpath("page.html").read_text("utf-8")
-    heads = "".join(f'<th data-column="{number}">{name}</th>' for number, name in enumerate(_COLUMNS))
     fields = {
         "TITLE": html.escape(title),
         "TOTALS": html.escape(", ".join(f"{count} {verdict}" for verdict, count in totals(comparisons).items())),
-        "HEADS": heads,
-        "ROWS": "\n".join(_row(comparison, pictures) for comparison in comparisons),
+        "HEADS": "".join(f"<th>{name}</th>" for name in _COLUMNS),
+        "ROWS": "\n".join(_row(comparison, folder / "pictures") for comparison in comparisons),
     }
     for name, text in fields.items():
         template = template.replace(f"@{name}@", text)
@@ -36,43 +36,37 @@ def write_page(comparisons: Sequence[Comparison], folder: Path, title: str) -> P
 
 
 def _row(comparison: Comparison, pictures: Path) -> str:
-    stem = comparison.name.replace("/", "_")
-    ours = _picture(comparison.ours, pictures / f"{stem}-minipov.png")
-    reference = _picture(comparison.reference, pictures / f"{stem}-povray.png")
-    difference = pictures / f"{stem}-difference.png"
-    written = ours is not None and reference is not None and write_difference(ours, reference, difference)
     metrics = comparison.metrics
-    measures = (
-        ["", "", ""] if metrics is None else [f"{metrics.within2:.4f}", f"{metrics.flip:.4f}", f"{metrics.ssim:.4f}"]
-    )
+    numbers = ("", "", "", "")
+    if metrics is not None:
+        numbers = (
+            f"{metrics.within2:.4f}",
+            f"{metrics.flip:.4f}",
+            f"{metrics.mean_error:.3f}",
+            f"{metrics.ssim:.4f}",
+        )
     cells = [
-        f"<b>{html.escape(comparison.name)}</b><br>{html.escape(comparison.title)}",
-        comparison.verdict,
-        _image(ours),
-        _image(reference),
-        _image(difference if written else None),
-        *([f"{measure:.4f}" for measure in measures] or [""] * 3),
-        _seconds(comparison.ours),
-        _seconds(comparison.reference),
-        f'<span class="message">{html.escape(comparison.message)}</span>',
+        _cell(f"<b>{html.escape(comparison.name)}</b><br>{html.escape(comparison.title)}", comparison.name),
+        _cell(comparison.verdict, str(list(VERDICTS).index(comparison.verdict))),
+        *(_image(pictures / picture_name(comparison.name, side)) for side in (OURS, REFERENCE, DIFFERENCE)),
+        *(_cell(number) for number in numbers),
+        *(_cell(_seconds(made, "trace_seconds")) for made in (comparison.ours, comparison.reference)),
+        *(_cell(_seconds(made, "seconds")) for made in (comparison.ours, comparison.reference)),
+        _cell(f'<span class="message">{html.escape(comparison.message)}</span>', html.escape(comparison.message)),
     ]
-    return (
-        f'<tr class="{comparison.verdict.replace(" ", "-")}">' + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
-    )
+    return f'<tr class="{comparison.verdict.replace(" ", "-")}">{"".join(cells)}</tr>'
 
 
-def _picture(made: Rendering | None, target: Path) -> Path | None:
-    """Put a program's picture beside the page."""
-    if made is None or made.picture is None or not made.picture.is_file():
-        return None
-    if made.picture.resolve() != target.resolve():
-        shutil.copyfile(made.picture, target)
-    return target
+def _cell(content: str, key: str | None = None) -> str:
+    """A cell; ``key`` is what its column is sorted by, the content where there is none."""
+    return f'<td data-key="{html.escape(content if key is None else key, quote=True)}">{content}</td>'
 
 
-def _image(path: Path | None) -> str:
-    return "" if path is None else f'<img loading="lazy" src="pictures/{html.escape(path.name, quote=True)}" alt="">'
+def _image(path: Path) -> str:
+    image = f'<img loading="lazy" src="pictures/{html.escape(path.name, quote=True)}" alt="">' if path.is_file() else ""
+    return _cell(image, str(bool(image)))
 
 
-def _seconds(made: Rendering | None) -> str:
-    return "" if made is None or made.trace_seconds is None else f"{made.trace_seconds:.3f}"
+def _seconds(made: Rendering | None, name: str) -> str:
+    seconds = None if made is None else getattr(made, name)
+    return "" if seconds is None else f"{seconds:.3f}"

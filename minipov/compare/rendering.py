@@ -42,15 +42,24 @@ def run_renderer(command: Sequence[str], work: Path, timeout: float) -> Renderin
                 command, cwd=work, stdin=subprocess.DEVNULL, stdout=sink, stderr=sink, timeout=timeout, check=False
             )
     except subprocess.TimeoutExpired:
-        return Rendering("timeout", time.perf_counter() - started, message=f"no picture after {timeout:g} s")
-    seconds = time.perf_counter() - started
-    said = log.read_text("utf-8", "replace")
-    picture = work / PICTURE
-    if done.returncode != 0 or not picture.is_file():
-        return Rendering("failed", seconds, message=complaint(said, done.returncode))
+        return timed_out(time.perf_counter() - started, timeout)
+    return outcome(work, done.returncode, time.perf_counter() - started)
+
+
+def outcome(work: Path, status: int, seconds: float) -> Rendering:
+    """Read what a program that ended with ``status`` left in ``work``: `PICTURE` and `LOG`."""
+    log, picture = work / LOG, work / PICTURE
+    said = log.read_text("utf-8", "replace") if log.is_file() else ""
+    if status != 0 or not picture.is_file():
+        return Rendering("failed", seconds, message=complaint(said, status))
     parse, photon, trace = (printed_time(said, name) for name in _TIMES)
     warnings = tuple(line for line in said.splitlines() if "warning:" in line)
     return Rendering("rendered", seconds, parse, photon, trace, warnings=warnings, picture=picture)
+
+
+def timed_out(seconds: float, timeout: float) -> Rendering:
+    """Say that a program was stopped."""
+    return Rendering("timeout", seconds, message=f"no picture after {timeout:g} s")
 
 
 def printed_time(said: str, name: str) -> float | None:

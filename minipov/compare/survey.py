@@ -7,9 +7,10 @@ import shutil
 import tempfile
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from minipov.compare.difference import write_difference
 from minipov.compare.header import read_header
 from minipov.compare.metrics import Metrics, measure, read_picture
 from minipov.compare.ours import run_minipov
@@ -17,12 +18,14 @@ from minipov.compare.reference import reference
 from minipov.compare.rendering import Rendering
 from minipov.compare.verdict import Verdict, judge
 
+OURS, REFERENCE, DIFFERENCE = "minipov", "povray", "difference"
+
 
 @dataclass(frozen=True, slots=True)
 class Plan:
     """How scenes are rendered: size, further switches, seconds allowed to each program, scenes at a time.
 
-    ``pictures`` is where minipov's pictures are kept; None throws them away.
+    ``pictures`` is where both pictures and their difference are kept; None throws them away.
     """
 
     width: int = 160
@@ -74,8 +77,14 @@ def compare_scene(scene: Path, name: str, plan: Plan) -> Comparison:
     with tempfile.TemporaryDirectory(prefix="minipov-compare-") as work:
         made = run_minipov(scene, switches, Path(work), plan.timeout)
         verdict, metrics, message = _judge(made, expected)
-        made = _keep(made, name, plan)
-    return Comparison(name, verdict, header.expected, header.title, metrics, made, expected, message)
+        if plan.pictures is not None:
+            _keep_pictures(made, expected, name, plan.pictures)
+    return Comparison(name, verdict, header.expected, header.title, metrics, _apart(made), _apart(expected), message)
+
+
+def picture_name(name: str, side: str) -> str:
+    """Return the file name of one of a scene's three kept pictures: `OURS`, `REFERENCE` or `DIFFERENCE`."""
+    return f"{name.replace('/', '_')}-{side}.png"
 
 
 def _judge(made: Rendering, expected: Rendering) -> tuple[Verdict, Metrics | None, str]:
@@ -91,15 +100,23 @@ def _judge(made: Rendering, expected: Rendering) -> tuple[Verdict, Metrics | Non
     return judge(metrics), metrics, "; ".join(dict.fromkeys(made.warnings))[:300]
 
 
-def _keep(made: Rendering, name: str, plan: Plan) -> Rendering:
-    """Move the picture to where it stays."""
-    kept = None
-    if made.picture is not None and plan.pictures is not None:
-        kept = plan.pictures / (name.replace("/", "_") + "-minipov.png")
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(made.picture, kept)
-    fields = {slot: getattr(made, slot) for slot in made.__slots__}
-    return Rendering(**(fields | {"picture": kept}))
+def _keep_pictures(made: Rendering, expected: Rendering, name: str, folder: Path) -> None:
+    """Put the pictures there are, and their difference, where they stay; those of an earlier survey go."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for side, rendering in ((OURS, made), (REFERENCE, expected)):
+        kept = folder / picture_name(name, side)
+        kept.unlink(missing_ok=True)
+        if rendering.picture is not None:
+            shutil.copyfile(rendering.picture, kept)
+    difference = folder / picture_name(name, DIFFERENCE)
+    difference.unlink(missing_ok=True)
+    if made.picture is not None and expected.picture is not None:
+        write_difference(made.picture, expected.picture, difference)
+
+
+def _apart(made: Rendering) -> Rendering:
+    """Forget where the picture was: it is gone, or belongs to the cache."""
+    return replace(made, picture=None)
 
 
 def _name(scene: Path, folder: Path) -> str:
