@@ -5,7 +5,6 @@ use crate::graph::atmosphere as graph;
 use crate::math::{Ray, Vec3};
 use crate::noise::NoiseGenerator;
 use crate::pattern::TurbulenceModifier;
-use crate::shade::Radiance;
 
 /// What is looked at from infinitely far away is this far away.
 const FARTHEST: f64 = 1e7;
@@ -18,6 +17,7 @@ pub struct Fog {
     color: Rgbft,
     ground: Option<Ground>,
     turbulence: Option<(TurbulenceModifier, f64)>,
+    generator: NoiseGenerator,
 }
 
 /// Fog that thins out upwards.
@@ -30,20 +30,20 @@ struct Ground {
 
 impl Ground {
     /// The integral of the density over height from the offset up to `h` (negative below): the density is 1 below the
-    /// offset and `1 / (1 + h / altitude)^2` above.
+    /// offset and `1 / (1 + (h / altitude)^2)` above (probed).
     fn thickness(&self, h: f64) -> f64 {
         if h <= 0.0 {
             h
         } else {
-            h / (1.0 + h / self.altitude)
+            self.altitude * (h / self.altitude).atan()
         }
     }
 
     fn density(&self, h: f64) -> f64 {
-        if h <= 0.0 {
+        if h < 0.0 {
             1.0
         } else {
-            (1.0 + h / self.altitude).powi(-2)
+            (1.0 + (h / self.altitude).powi(2)).recip()
         }
     }
 
@@ -59,36 +59,37 @@ impl Ground {
 }
 
 impl Fog {
-    /// Makes a fog ready.
-    pub fn new(fog: &graph::Fog) -> Fog {
+    /// Makes a fog ready; `generator` is the scene's.
+    pub fn new(fog: &graph::Fog, generator: NoiseGenerator) -> Fog {
         let ground = (fog.fog_type == 2).then(|| Ground {
             up: fog.up.normalized(),
             offset: fog.fog_offset,
             altitude: fog.fog_alt,
         });
         let turbulence = fog.turbulence.as_ref().map(|t| (TurbulenceModifier::from(t), fog.turb_depth));
-        Fog { distance: fog.distance, color: fog.color, ground, turbulence }
+        Fog { distance: fog.distance, color: fog.color, ground, turbulence, generator }
     }
 
-    /// Changes light that comes from `distance` along the ray.
-    pub fn dim(&self, ray: &Ray, distance: f64, seen: &mut Radiance) {
+    /// The share of light that comes through from `distance` along the ray, by channel, and what the fog adds.
+    pub fn look(&self, ray: &Ray, distance: f64) -> (Rgb, Rgb) {
         let distance = distance.min(FARTHEST);
         let depth = match &self.ground {
             None => distance,
             Some(ground) => ground.depth(ray, distance),
         };
-        let left = (-depth * self.thickening(ray, distance) / self.distance).exp().max(self.color.transmit);
+        let depth = depth * self.thinning(ray, distance);
+        let left = (-depth / self.distance).exp().max(self.color.transmit);
         let filter = Rgb::WHITE * (1.0 - self.color.filter) + self.color.rgb * self.color.filter;
-        seen.rgb = seen.rgb.mul_each(filter) * left + self.color.rgb * (1.0 - left);
-        seen.transmit *= left;
+        (filter * left, self.color.rgb * (1.0 - left))
     }
 
-    /// Turbulence makes fog thinner, as found half-way along the ray.
-    fn thickening(&self, ray: &Ray, distance: f64) -> f64 {
+    /// Turbulence, as found half-way along the ray, makes fog thinner: the more, the less fog there is (probed).
+    fn thinning(&self, ray: &Ray, distance: f64) -> f64 {
         let Some((turbulence, depth)) = &self.turbulence else {
             return 1.0;
         };
         let place = ray.at(distance / 2.0).mul_each(turbulence.amount);
-        1.0 - (turbulence.octaves.scalar(place, NoiseGenerator::default()) * depth).clamp(0.0, 1.0)
+        let amount = (turbulence.octaves.scalar(place, self.generator) * depth).min(1.0);
+        1.0 - (-distance / self.distance).exp() * amount
     }
 }

@@ -28,6 +28,15 @@ impl<T> Worn<T> {
     }
 }
 
+/// A filled space.
+#[derive(Clone, Copy, Debug)]
+pub struct Body {
+    /// Its interior, if the scene gives one.
+    pub interior: Option<u32>,
+    /// Lets media and fog pass.
+    pub hollow: bool,
+}
+
 /// Looks and behaviour of one node. Textures and interiors are indices into the lists of the `Geometry`.
 #[derive(Clone, Debug, Default)]
 pub struct Looks {

@@ -16,7 +16,7 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
-pub use looks::{Looks, Worn};
+pub use looks::{Body, Looks, Worn};
 pub use node::{Node, NodeId, Solid};
 pub use prepare::prepare;
 pub use question::Questioned;
@@ -39,8 +39,8 @@ pub struct Geometry {
     pub textures: Vec<Worn<Texture>>,
     /// Every interior that a node has.
     pub interiors: Vec<Worn<Interior>>,
-    /// The interior of each body, if the scene gives one; `Looks::body` holds an index.
-    pub bodies: Vec<Option<u32>>,
+    /// What is bounded by surfaces; `Looks::body` holds an index.
+    pub bodies: Vec<Body>,
     /// Lights found inside unions and CSG, in file order.
     pub lights: Vec<Worn<LightSource>>,
     /// The light groups; `Looks::light_group` holds an index.

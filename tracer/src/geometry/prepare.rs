@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::extents;
 use super::node::{Node, NodeId, Solid};
 use super::place::{PlacedShape, Placer};
-use super::{Geometry, LightGroup, Looks, Worn};
+use super::{Body, Geometry, LightGroup, Looks, Worn};
 use crate::accel::{Accelerator, AcceleratorKind, RayKind};
 use crate::csg::{Composite, Operation};
 use crate::graph::{self, LightSource, Object, Shared, Unsupported};
@@ -288,9 +288,10 @@ impl Preparation {
         let interior = object.interior.as_ref();
         let interior = interior
             .map(|item| find_or_add(&mut self.geometry.interiors, &mut self.interior_index, item, space));
+        let hollow = own.hollow.unwrap_or(given.hollow);
         // Each object fills space with something of its own, unless a union or CSG around it fills all its children.
         let body = given.body.filter(|_| interior.is_none()).unwrap_or_else(|| {
-            self.geometry.bodies.push(interior);
+            self.geometry.bodies.push(Body { interior, hollow });
             self.geometry.bodies.len() as u32 - 1
         });
         Looks {
@@ -299,7 +300,7 @@ impl Preparation {
                 .or(given.interior_texture.filter(|_| own_texture.is_none())),
             body: Some(body),
             interior: interior.or(given.interior),
-            hollow: own.hollow.unwrap_or(given.hollow),
+            hollow,
             no_shadow: own.no_shadow || given.no_shadow,
             no_image: own.no_image || given.no_image,
             no_reflection: own.no_reflection || given.no_reflection,

@@ -7,7 +7,7 @@ use crate::color::Rgb;
 use crate::geometry::{Geometry, NodeId};
 use crate::graph::Interior;
 use crate::light::Light;
-use crate::shade::{BodyId, Spot, Texture, TextureId};
+use crate::shade::{BodyId, Interiors, Spot, Texture, TextureId};
 
 /// A scene ready for rendering.
 #[derive(Debug)]
@@ -85,7 +85,14 @@ impl Scene {
     /// What fills a body, if the scene says anything about it.
     #[inline]
     pub fn interior(&self, id: BodyId) -> Option<&Interior> {
-        self.geometry.bodies[id as usize].map(|interior| &self.interiors[interior as usize])
+        let interior = self.geometry.bodies[id as usize].interior;
+        interior.map(|interior| &self.interiors[interior as usize])
+    }
+
+    /// Whether fog and media reach where a ray is: everything around it is hollow.
+    #[inline]
+    pub fn is_hollow(&self, around: &Interiors) -> bool {
+        around.iter().all(|body| self.geometry.bodies[body as usize].hollow)
     }
 
     /// Optical density; that of open space is 1.

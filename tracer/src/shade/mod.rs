@@ -139,7 +139,9 @@ impl<'s> Tracer<'s> {
             Some(hit) => (self.surface_light(path, &hit, weight), hit.crossing.t),
             None => (self.scene.sky.light(path.ray.direction), f64::INFINITY),
         };
-        self.scene.atmosphere.dim(path, distance, &mut seen);
+        if !self.scene.atmosphere.is_clear() && self.scene.is_hollow(&path.interiors) {
+            self.scene.atmosphere.dim(&path.ray, distance, &mut seen);
+        }
         seen
     }
 }
