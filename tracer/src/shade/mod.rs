@@ -137,7 +137,7 @@ impl<'s> Tracer<'s> {
         let hit = geometry.nearest(&path.ray, NEAREST, f64::INFINITY, path.kind, &mut self.counters);
         let (mut seen, distance) = match hit {
             Some(hit) => (self.surface_light(path, &hit, weight), hit.crossing.t),
-            None => (self.scene.sky.light(path.ray.direction), f64::INFINITY),
+            None => (self.scene.sky.light(path.ray.direction, path.kind), f64::INFINITY),
         };
         if !self.scene.atmosphere.is_clear() && self.scene.is_hollow(&path.interiors) {
             self.scene.atmosphere.dim(&path.ray, distance, &mut seen);
