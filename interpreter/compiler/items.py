@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from minipov.grammar import tree
 from minipov.interpreter.compiler.constants import Plain, plain_array
 from minipov.interpreter.compiler.function_literals import FunctionLiterals
-from minipov.interpreter.compiler.shapes import DIRECTIVES, EXPRESSIONS, constant, may_splice
+from minipov.interpreter.compiler.shapes import DIRECTIVES, EXPRESSIONS, constant, is_comma, may_splice
 from minipov.interpreter.errors import Place
 
 
@@ -108,6 +108,9 @@ class Items(FunctionLiterals):
         elif isinstance(item, tree.Call):
             self.flush(run)
             self.run_call(item)
+        elif isinstance(item, tree.Group) and any(map(is_comma, item.items)):
+            self.flush(run)
+            self.items(item.items)
         elif isinstance(item, EXPRESSIONS):
             self._expression_item(item, run)
         elif isinstance(item, tree.Punctuation):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from minipov.interpreter.constructs.common import long_vector
 from minipov.interpreter.constructs.shape import shape
 from minipov.interpreter.context import Context
+from minipov.interpreter.items import Punctuation
 from minipov.interpreter.reader import ItemReader
 from minipov.tracer.objects import Shape
 from minipov.tracer.shapes import Poly, Quadric
@@ -60,6 +61,7 @@ def polynomial(reader: ItemReader, context: Context) -> Shape:
         powers = _powers(reader)
         if min(powers) < 0 or sum(powers) > order:
             reader.refuse(f"powers that add up to at most {order}")
+        reader.node(Punctuation)
         terms[term_index(order, *powers)] = reader.float()
         reader.comma()
     return Poly(order, tuple(terms))

@@ -8,7 +8,7 @@ use crate::math::{Transform, Vec3};
 use crate::mesh::Mesh;
 use crate::shape::{
     closed_curves, frame, segments, Blob, Cone, Cuboid, Disc, HeightField, Lathe, Plane, Poly, Polygon,
-    Prism, Quadric, Shape, Sor, Sphere, Superellipsoid, Torus, Triangle,
+    Prism, Quadric, Shape, Sor, Sphere, Superellipsoid, Text, Torus, Triangle,
 };
 
 /// A primitive with the transform that could not be worked into it.
@@ -106,6 +106,10 @@ impl Placer {
             S::HeightField(s) => {
                 let field = HeightField::new(&s.heights, s.columns, s.rows, s.water_level, s.smooth);
                 placed(Shape::HeightField(Arc::new(field.ok_or("height_field without a cell")?)))
+            }
+            S::Text(s) => {
+                let text = Text::new(&s.font, &s.text, s.thickness, s.offset)?;
+                placed(Shape::Text(Arc::new(text)))
             }
             other => Err(other.name().to_lowercase()),
         }

@@ -21,6 +21,7 @@ mod sphere;
 mod superellipsoid;
 #[cfg(test)]
 mod tests;
+mod text;
 mod torus;
 mod triangle;
 
@@ -39,6 +40,7 @@ pub use quadric::Quadric;
 pub use sor::Sor;
 pub use sphere::{spherical_uv, Sphere};
 pub use superellipsoid::Superellipsoid;
+pub use text::Text;
 pub use torus::Torus;
 pub use triangle::{interpolated_normal, Facet, Triangle};
 
@@ -218,4 +220,5 @@ primitives! {
     Superellipsoid(Superellipsoid) = "superellipsoid",
     HeightField(Arc<HeightField>) = "height_field",
     Blob(Arc<Blob>) = "blob",
+    Text(Arc<Text>) = "text",
 }

@@ -9,7 +9,8 @@ use crate::math::{vec3, Bounds, Ray, Vec3};
 
 /// Nearer crossings are not seen, as in POV-Ray; in the prism's own measure.
 const NEAREST: f64 = 1e-4;
-const BASE: u32 = u32::MAX;
+/// The part that is the lower end.
+pub const BASE: u32 = u32::MAX;
 const CAP: u32 = u32::MAX - 1;
 
 /// A figure swept along a line. A crossing's part is the number of the piece of the curve, `u` the place on it.
@@ -38,7 +39,7 @@ impl Prism {
             let scale = if conic { y } else { 1.0 };
             Bounds::around([flat.min * scale + Vec3::Y * y, flat.max * scale + Vec3::Y * y])
         };
-        let bounds = at(low).union(&at(high));
+        let bounds = if flat.is_empty() { flat } else { at(low).union(&at(high)) };
         Prism { segments, ranges, low, high, conic, open, reversed: false, bounds }
     }
 
