@@ -8,7 +8,7 @@ use crate::math::{Transform, Vec3};
 use crate::mesh::Mesh;
 use crate::shape::{
     closed_curves, frame, segments, Blob, Cone, Cuboid, Disc, HeightField, Lathe, Plane, Poly, Polygon,
-    Prism, Quadric, Shape, Sor, Sphere, Superellipsoid, Text, Torus, Triangle,
+    Prism, Quadric, Shape, Sor, Sphere, SphereSweep, Superellipsoid, Text, Torus, Triangle,
 };
 
 /// A primitive with the transform that could not be worked into it.
@@ -110,6 +110,9 @@ impl Placer {
             S::Text(s) => {
                 let text = Text::new(&s.font, &s.text, s.thickness, s.offset)?;
                 placed(Shape::Text(Arc::new(text)))
+            }
+            S::SphereSweep(s) => {
+                placed(Shape::SphereSweep(Arc::new(SphereSweep::new(s.spline, &s.spheres, s.tolerance))))
             }
             other => Err(other.name().to_lowercase()),
         }

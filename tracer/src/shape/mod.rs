@@ -18,6 +18,7 @@ mod prism;
 mod quadric;
 mod sor;
 mod sphere;
+mod sphere_sweep;
 mod superellipsoid;
 #[cfg(test)]
 mod tests;
@@ -39,6 +40,7 @@ pub use prism::Prism;
 pub use quadric::Quadric;
 pub use sor::Sor;
 pub use sphere::{spherical_uv, Sphere};
+pub use sphere_sweep::SphereSweep;
 pub use superellipsoid::Superellipsoid;
 pub use text::Text;
 pub use torus::Torus;
@@ -221,4 +223,5 @@ primitives! {
     HeightField(Arc<HeightField>) = "height_field",
     Blob(Arc<Blob>) = "blob",
     Text(Arc<Text>) = "text",
+    SphereSweep(Arc<SphereSweep>) = "sphere_sweep",
 }
