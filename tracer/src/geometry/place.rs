@@ -7,7 +7,7 @@ use crate::graph;
 use crate::math::{Transform, Vec3};
 use crate::mesh::Mesh;
 use crate::shape::{
-    closed_curves, frame, segments, Blob, Cone, Cuboid, Disc, HeightField, Lathe, Plane, Poly, Polygon,
+    closed_curves, frame, segments, BicubicPatch, Blob, Cone, Cuboid, Disc, HeightField, Lathe, Plane, Poly, Polygon,
     Prism, Quadric, Shape, Sor, Sphere, SphereSweep, Superellipsoid, Text, Torus, Triangle,
 };
 
@@ -113,6 +113,10 @@ impl Placer {
             }
             S::SphereSweep(s) => {
                 placed(Shape::SphereSweep(Arc::new(SphereSweep::new(s.spline, &s.spheres, s.tolerance))))
+            }
+            S::BicubicPatch(s) => {
+                let patch = BicubicPatch::new(s).ok_or("bicubic_patch without 16 points")?;
+                placed(Shape::BicubicPatch(Arc::new(patch)))
             }
             other => Err(other.name().to_lowercase()),
         }

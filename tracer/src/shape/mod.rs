@@ -4,6 +4,7 @@
 //! when it is taken, the old limit when it is refused (then the next one is offered), negative infinity to stop. So
 //! one routine serves nearest hits, shadows, clipping and CSG, and returns the last limit.
 
+mod bicubic_patch;
 mod blob;
 mod boxes;
 mod cone;
@@ -26,6 +27,7 @@ mod text;
 mod torus;
 mod triangle;
 
+pub use bicubic_patch::BicubicPatch;
 pub use blob::Blob;
 pub use boxes::Cuboid;
 pub use cone::{frame, Cone};
@@ -223,5 +225,6 @@ primitives! {
     HeightField(Arc<HeightField>) = "height_field",
     Blob(Arc<Blob>) = "blob",
     Text(Arc<Text>) = "text",
+    BicubicPatch(Arc<BicubicPatch>) = "bicubic_patch",
     SphereSweep(Arc<SphereSweep>) = "sphere_sweep",
 }
