@@ -7,7 +7,7 @@ use crate::graph;
 use crate::math::{Transform, Vec3};
 use crate::mesh::Mesh;
 use crate::shape::{
-    closed_curves, frame, segments, BicubicPatch, Blob, Cone, Cuboid, Disc, HeightField, Lathe, Plane, Poly, Polygon,
+    closed_curves, frame, segments, BicubicPatch, Blob, Cone, Cuboid, Disc, HeightField, Lathe, Lemon, Ovus, Plane, Poly, Polygon,
     Prism, Quadric, Shape, Sor, Sphere, SphereSweep, Superellipsoid, Text, Torus, Triangle,
 };
 
@@ -68,7 +68,9 @@ impl Placer {
                 let disc = Disc { radius: s.radius, hole_radius: s.hole_radius };
                 at(disc.into(), frame(s.center, s.center + s.normal))
             }
-            S::Torus(s) => placed(Torus { major: s.major_radius, minor: s.minor_radius }.into()),
+            S::Torus(s) => {
+                placed(Torus { major: s.major_radius, minor: s.minor_radius, spindle: s.spindle }.into())
+            },
             S::Quadric(s) => placed(Shape::Quadric(Box::new(Quadric {
                 squares: s.squares,
                 mixed: s.mixed,
@@ -117,6 +119,12 @@ impl Placer {
             S::BicubicPatch(s) => {
                 let patch = BicubicPatch::new(s).ok_or("bicubic_patch without 16 points")?;
                 placed(Shape::BicubicPatch(Arc::new(patch)))
+            }
+            S::Ovus(s) => placed(Shape::Ovus(Box::new(Ovus::new(s)))),
+            S::Lemon(s) => {
+                let length = (s.cap - s.base).length();
+                let lemon = Lemon::new(s.base_radius, s.cap_radius, length, s.inner_radius, s.open);
+                at(Shape::Lemon(Box::new(lemon)), frame(s.base, s.cap))
             }
             other => Err(other.name().to_lowercase()),
         }

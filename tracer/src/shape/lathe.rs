@@ -2,6 +2,7 @@
 
 use super::curve::{crossings_beyond, unit_roots, Segment};
 use super::sphere::longitude;
+use super::torus::within_ring;
 use super::{Crossing, Primitive};
 use crate::accel::Counters;
 use crate::math::polynomial::{quadratic, roots_within, value};
@@ -41,27 +42,6 @@ impl Lathe {
         let bounds = Bounds::around(corners);
         Lathe { segments, ranges, bounds }
     }
-}
-
-/// Whether the ray passes the flat ring of the given radius and heights; where it enters and leaves.
-fn within_ring(o: Vec3, d: Vec3, reach: f64, [low, high]: [f64; 2]) -> Option<(f64, f64)> {
-    let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
-    if d.y != 0.0 {
-        let (a, b) = ((low - o.y) / d.y, (high - o.y) / d.y);
-        (enter, leave) = (a.min(b), a.max(b));
-    } else if o.y < low || o.y > high {
-        return None;
-    }
-    let a = d.x * d.x + d.z * d.z;
-    let c = o.x * o.x + o.z * o.z - reach * reach;
-    if a > 0.0 {
-        let around = quadratic(a, o.x * d.x + o.z * d.z, c);
-        let [near, far] = around[..] else { return None };
-        (enter, leave) = (enter.max(near), leave.min(far));
-    } else if c > 0.0 {
-        return None;
-    }
-    (enter <= leave).then_some((enter, leave))
 }
 
 impl Primitive for Lathe {

@@ -4,6 +4,7 @@
 //! when it is taken, the old limit when it is refused (then the next one is offered), negative infinity to stop. So
 //! one routine serves nearest hits, shadows, clipping and CSG, and returns the last limit.
 
+mod arc;
 mod bicubic_patch;
 mod blob;
 mod boxes;
@@ -12,6 +13,8 @@ mod curve;
 mod disc;
 mod height_field;
 mod lathe;
+mod lemon;
+mod ovus;
 mod plane;
 mod poly;
 mod polygon;
@@ -35,6 +38,8 @@ pub use curve::{closed_curves, segments, Segment};
 pub use disc::Disc;
 pub use height_field::HeightField;
 pub use lathe::Lathe;
+pub use lemon::Lemon;
+pub use ovus::Ovus;
 pub use plane::Plane;
 pub use poly::Poly;
 pub use polygon::{rings, Polygon};
@@ -225,6 +230,8 @@ primitives! {
     HeightField(Arc<HeightField>) = "height_field",
     Blob(Arc<Blob>) = "blob",
     Text(Arc<Text>) = "text",
+    Ovus(Box<Ovus>) = "ovus",
+    Lemon(Box<Lemon>) = "lemon",
     BicubicPatch(Arc<BicubicPatch>) = "bicubic_patch",
     SphereSweep(Arc<SphereSweep>) = "sphere_sweep",
 }
