@@ -7,8 +7,9 @@ use crate::graph;
 use crate::math::{Transform, Vec3};
 use crate::mesh::Mesh;
 use crate::shape::{
-    closed_curves, frame, segments, BicubicPatch, Blob, Cone, Cuboid, Disc, HeightField, Lathe, Lemon, Ovus, Plane, Poly, Polygon,
-    Prism, Quadric, Shape, Sor, Sphere, SphereSweep, Superellipsoid, Text, Torus, Triangle,
+    closed_curves, frame, segments, BicubicPatch, Blob, Cone, Cuboid, Disc, HeightField, Lathe, Lemon, Ovus,
+    Plane, Poly, Polygon, Prism, Quadric, Shape, Sor, Sphere, SphereSweep, Superellipsoid, Text, Torus,
+    Triangle,
 };
 
 /// A primitive with the transform that could not be worked into it.
@@ -70,7 +71,7 @@ impl Placer {
             }
             S::Torus(s) => {
                 placed(Torus { major: s.major_radius, minor: s.minor_radius, spindle: s.spindle }.into())
-            },
+            }
             S::Quadric(s) => placed(Shape::Quadric(Box::new(Quadric {
                 squares: s.squares,
                 mixed: s.mixed,

@@ -84,7 +84,8 @@ impl Cutting<'_> {
     fn cut(&mut self, net: &Net, [u0, u1]: [f64; 2], [v0, v1]: [f64; 2], depth: i32) {
         let [split_u, split_v] = self.steps.map(|steps| depth < steps);
         if !(split_u || split_v) || height(net) < self.flatness {
-            let corners = [(net[0][0], [u0, v0]), (net[0][3], [u0, v1]), (net[3][3], [u1, v1]), (net[3][0], [u1, v0])];
+            let corners =
+                [(net[0][0], [u0, v0]), (net[0][3], [u0, v1]), (net[3][3], [u1, v1]), (net[3][0], [u1, v0])];
             for [a, b, c] in [[0, 1, 2], [0, 2, 3]] {
                 let [p, q, r] = [corners[a], corners[b], corners[c]];
                 let facet = Facet::new(p.0, q.0, r.0);

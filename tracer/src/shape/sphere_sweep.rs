@@ -137,11 +137,8 @@ impl Piece {
         for i in 0..=edges.len() {
             let high = edges.get(i).copied().unwrap_or(1.0);
             if value(delta, 0.5 * (low + high)) >= 0.0 {
-                let mut span = Span {
-                    begin: (f64::INFINITY, low),
-                    end: (f64::NEG_INFINITY, low),
-                    pieces: [number; 2],
-                };
+                let mut span =
+                    Span { begin: (f64::INFINITY, low), end: (f64::NEG_INFINITY, low), pieces: [number; 2] };
                 let mut try_at = |s: f64| {
                     let (middle, half) = (value(&along, s), value(delta, s).max(0.0).sqrt());
                     if middle - half < span.begin.0 {

@@ -10,7 +10,7 @@ use ttf_parser::{cmap, Face, GlyphId, OutlineBuilder, PlatformId};
 
 use super::curve::Segment;
 use super::prism::BASE;
-use super::{Crossing, Prism, Primitive};
+use super::{Crossing, Primitive, Prism};
 use crate::accel::{Accelerator, AcceleratorKind, Counters, Query};
 use crate::math::{vec3, Bounds, Ray, Vec3};
 

@@ -8,4 +8,4 @@ light_source { <-5, 8, -7>, rgb 1 }
 light_source { <9, 4, -3>, rgb <0.3, 0.22, 0.15> }
 background { rgb <0.35, 0.45, 0.6> }
 plane { y, 0 pigment { checker rgb <0.8, 0.75, 0.65> rgb <0.4, 0.5, 0.55> scale 0.7 } }
-height_field { png "../images/hills.png" pigment { gradient y color_map { [0.2 rgb <0.2, 0.5, 0.2>] [0.6 rgb <0.6, 0.4, 0.2>] [1 rgb 1] } } translate -0.5 scale <3, 1, 2.5> translate 0.5*y }
+height_field { png "images/hills.png" pigment { gradient y color_map { [0.2 rgb <0.2, 0.5, 0.2>] [0.6 rgb <0.6, 0.4, 0.2>] [1 rgb 1] } } translate -0.5 scale <3, 1, 2.5> translate 0.5*y }
