@@ -1,7 +1,5 @@
 """`python -m minipov scene.pov`."""
 
-import sys
+from minipov.cli import entry
 
-from minipov.cli import main
-
-sys.exit(main())
+entry()

@@ -13,9 +13,6 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Literal, TextIO, TypeAlias
 
-from rich.console import Console as Terminal
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
-
 from minipov.diagnostics import describe, describe_message, povray_lines
 from minipov.interpreter.errors import Message, SdlError
 from minipov.options import CommandLine
@@ -29,7 +26,8 @@ class Console:
 
     def __init__(self, command: CommandLine, out: TextIO | None = None) -> None:
         self._command = command
-        self._terminal = Terminal(file=out or sys.stderr, highlight=False, markup=False, emoji=False, soft_wrap=True)
+        self._out = out or sys.stderr
+        self._is_terminal = self._out.isatty()
         self._fresh: set[str] = set()
         self.verbose = command.flag("Verbose") and command.flag("All_Console")
 
@@ -46,7 +44,7 @@ class Console:
     def scene_error(self, error: SdlError, sources: Mapping[str, bytes]) -> None:
         """Print a mistake in the scene; for programs also in the words of POV-Ray."""
         self.say("Fatal", describe(error, sources))
-        if not self._terminal.is_terminal:
+        if not self._is_terminal:
             self.say("Fatal", povray_lines(error))
 
     def error(self, text: str) -> None:
@@ -65,21 +63,17 @@ class Console:
             if name:
                 self._append(name, text)
         if self._command.flag("All_Console") and self._command.flag(f"{stream}_Console"):
-            self._terminal.print(text)
+            self._print(text)
 
     @contextlib.contextmanager
     def progress(self, total: int) -> Iterator[Callable[[float], None]]:
         """Give a function that takes the finished share of ``total`` pixels."""
         if self.verbose:
             yield self._count_pixels(total)
-            self._terminal.file.write("\n")
-        elif self._terminal.is_terminal and self._command.flag("All_Console"):
-            columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
-            with Progress(
-                *columns, TimeElapsedColumn(), TimeRemainingColumn(), console=self._terminal, transient=True
-            ) as bar:
-                task = bar.add_task("Rendering", total=total)
-                yield lambda share: bar.update(task, completed=int(share * total))
+            self._print("")
+        elif self._is_terminal and self._command.flag("All_Console"):
+            with progress_bar(self._out, total) as advance:
+                yield advance
         else:
             yield lambda share: None
 
@@ -91,8 +85,7 @@ class Console:
             done = round(share * total)
             if done != said:
                 said = done
-                self._terminal.file.write(f"Rendered {done} of {total} pixels ({100 * done // total}%)\r")
-                self._terminal.file.flush()
+                self._print(f"Rendered {done} of {total} pixels ({100 * done // total}%)", end="\r")
 
         return count
 
@@ -104,4 +97,28 @@ class Console:
             with Path(name).open(mode, encoding="utf-8") as file:
                 file.write(text + "\n")
         except OSError as error:
-            self._terminal.print(f"error: cannot write {name}: {error.strerror}")
+            self._print(f"error: cannot write {name}: {error.strerror}")
+
+    def _print(self, text: str, end: str = "\n") -> None:
+        print(text, end=end, file=self._out, flush=True)
+
+
+@contextlib.contextmanager
+def progress_bar(out: TextIO, total: int) -> Iterator[Callable[[float], None]]:
+    """Show a bar on a terminal, taken away at the end; the function given takes the finished share of ``total``."""
+    # Rich takes a while to load, which small pictures should not wait for.
+    from rich.console import Console as Terminal
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeElapsedColumn,
+        TimeRemainingColumn,
+    )
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
+    times = (TimeElapsedColumn(), TimeRemainingColumn())
+    with Progress(*columns, *times, console=Terminal(file=out), transient=True) as bar:
+        task = bar.add_task("Rendering", total=total)
+        yield lambda share: bar.update(task, completed=int(share * total))

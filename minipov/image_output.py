@@ -9,52 +9,22 @@ from __future__ import annotations
 
 import sys
 import tempfile
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal, TypeAlias
+from typing import Literal
 
 import numpy as np
 import OpenImageIO as oiio
 from numpy.typing import NDArray
 
 from minipov.gamma import Floats, convert, decode
+from minipov.image_format import EXTENSIONS, FileFormat
 from minipov.tracer.settings import Gamma
-
-FileKind: TypeAlias = Literal["png", "tga", "tga_rle", "ppm", "bmp", "jpeg", "exr", "hdr"]
 
 GREY_WEIGHTS = np.array([0.297, 0.589, 0.114])
 """How POV-Ray weighs red, green and blue where it needs one grey."""
 
-EXTENSIONS: dict[FileKind, str] = {
-    "png": ".png",
-    "tga": ".tga",
-    "tga_rle": ".tga",
-    "ppm": ".ppm",
-    "bmp": ".bmp",
-    "jpeg": ".jpg",
-    "exr": ".exr",
-    "hdr": ".hdr",
-}
 _FLOAT_KINDS = frozenset({"exr", "hdr"})
-_ALPHA_KINDS = frozenset({"png", "tga", "tga_rle", "bmp", "exr"})
 _DEEP_KINDS = frozenset({"png", "ppm"})
-
-
-@dataclass(frozen=True, slots=True)
-class FileFormat:
-    """How a picture is stored. ``bits`` counts for PNG and PPM; ``quality`` (2 to 100) for JPEG."""
-
-    kind: FileKind = "png"
-    bits: int = 8
-    gamma: Gamma = "srgb"
-    alpha: bool = False
-    gray: bool = False
-    quality: int = 85
-
-    @property
-    def stores_alpha(self) -> bool:
-        """Whether the file will hold an alpha channel."""
-        return self.alpha and self.kind in _ALPHA_KINDS
 
 
 def write_image(path: Path | Literal["-"], pixels: NDArray[np.floating], working: Gamma, file: FileFormat) -> None:

@@ -7,32 +7,37 @@ import time
 from pathlib import Path
 
 from minipov.console import Console
+from minipov.exit_status import INTERRUPTED, OK, SCENE_ERROR
 from minipov.frames import Frame, frames
-from minipov.image_output import FileFormat, write_image
+from minipov.image_format import FileFormat
 from minipov.interpreter import Messages, SdlError, load, load_text
+from minipov.option_writer import write_ini
 from minipov.options import CommandLine, UsageError
 from minipov.output_name import file_format, output_path
-from minipov.pipeline import load_options, render_settings, trace
+from minipov.pipeline import load_options, render_settings, start, trace
 from minipov.statistics_table import statistics_table
-from minipov.tracer.render import RenderJob
 from minipov.tracer.settings import RenderSettings
 
-OK, SCENE_ERROR, USAGE_ERROR, INTERRUPTED = 0, 1, 2, 130
 _ENTRY = "command line"
 
 
-def run(command: CommandLine, console: Console) -> int:
+def run(command: CommandLine) -> int:
     """Render what ``command`` asks for and return the exit status.
 
     Raises:
         UsageError: options that contradict each other.
     """
+    console = Console(command)
+    for warning in command.warnings:
+        console.warn(warning)
     if not command.text("Input_File_Name"):
         raise UsageError("no scene is given")
     settings, file = render_settings(command), file_format(command)
     wanted = frames(command)
     if not wanted:
         raise UsageError("no frame is left to render")
+    if command.text("Create_Ini"):
+        write_ini(command, Path(command.text("Create_Ini")))
     scene, sources = _scene_source(command)
     try:
         for frame in wanted:
@@ -89,9 +94,9 @@ def _render_frame(
     settings: RenderSettings,
     file: FileFormat,
 ) -> None:
-    target = output_path(command, scene, frame, file.kind)
-    if target != "-" and not target.parent.is_dir():
-        raise FileNotFoundError(2, "no such folder", str(target.parent))
+    target = output_path(command, scene, frame, file.kind) if command.flag("Output_to_File") else None
+    if target is not None and target != "-":
+        _check_writable(target)
     console.heading("Parsing...")
     started = time.perf_counter()
     options, messages = load_options(command, frame, sources), Messages(sink=console.message)
@@ -99,19 +104,33 @@ def _render_frame(
     loaded = load(scene, options, messages) if text is None else load_text(text.decode(), _ENTRY, options, messages)
     load_seconds = time.perf_counter() - started
     console.heading("Rendering...")
-    job = RenderJob(loaded, settings)
+    job = start(loaded, settings)
+    # Loaded while the render goes on.
+    from minipov.image_output import write_image
+
     for feature, place in job.unsupported:
         console.warn(f"{feature} is not rendered yet" + (f" ({place})" if place else ""))
     working = loaded.settings.assumed_gamma
-    pixels = settings.width * settings.height
     try:
-        with console.progress(pixels) as progress:
+        with console.progress(settings.width * settings.height) as progress:
             result = trace(job, progress)
     except KeyboardInterrupt:
-        if command.flag("Output_to_File"):
+        if target is not None:
             write_image(target, job.snapshot(), working, file)
         raise
-    if command.flag("Output_to_File"):
+    if target is not None:
         write_image(target, result.pixels, working, file)
     if console.verbose or command.flag("Statistics"):
         console.say("Statistic", statistics_table(result.statistics, load_seconds))
+
+
+def _check_writable(target: Path) -> None:
+    """Find out before all the work whether the picture can be written; raises OSError."""
+    if target.is_dir():
+        raise IsADirectoryError(21, "is a folder", str(target))
+    probe = target.with_name(f".{target.name}.part")
+    try:
+        probe.touch()
+        probe.unlink()
+    except OSError as error:
+        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(target)) from None

@@ -63,7 +63,7 @@ class CommandLine:
 
 
 def parse_command_line(arguments: Sequence[str], startup: Sequence[Path] = ()) -> CommandLine:
-    """Read ``arguments`` after the INI files in ``startup``, whose options are taken over without remarks.
+    """Read ``arguments`` after the INI files in ``startup``, which are read without remarks.
 
     Raises:
         UsageError: an unknown switch, a value that is none, a missing INI file.
@@ -71,7 +71,6 @@ def parse_command_line(arguments: Sequence[str], startup: Sequence[Path] = ()) -
     reader = _Reader(CommandLine())
     for file in startup:
         reader.ini_file(file, "", quiet=True)
-    reader.options.given.clear()
     reader.options.warnings.clear()
     reader.arguments(arguments)
     return reader.options
@@ -132,6 +131,8 @@ class _Reader:
         path = Path(name)
         if path.suffix.lower() == ".ini" or section:
             self.ini_file(self._find_ini(name), section)
+        elif path.is_dir():
+            raise UsageError(f"{word} is a folder, not a scene")
         elif path.suffix or path.is_file() or path.with_name(path.name + ".pov").is_file() or name == "-":
             self._set(BY_KEY["input_file_name"], word)
         else:
@@ -217,12 +218,13 @@ class _Reader:
         letter = (match.group(1) or "").upper() if match else ""
         if match is None or (letter and letter not in "NTCPBJEHS"):
             raise UsageError(f"unknown type of output file: {text}")
-        self.options.values["Output_File_Type"] = letter
+        found: dict[str, Value] = {"Output_File_Type": letter}
         if match.group(2):
-            self.options.values["Grayscale_Output"] = True
+            found["Grayscale_Output"] = True
         if match.group(3):
-            key = "Compression" if letter == "J" else "Bits_Per_Color"
-            self.options.values[key] = int(match.group(3))
+            found["Compression" if letter == "J" else "Bits_Per_Color"] = int(match.group(3))
+        self.options.values |= found
+        self.options.given |= found.keys()
 
     def _warn(self, text: str) -> None:
         if not self.quiet and text not in self.options.warnings:

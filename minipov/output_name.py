@@ -12,7 +12,7 @@ from typing import Literal
 
 from minipov.frames import Frame
 from minipov.gamma import parse_gamma
-from minipov.image_output import EXTENSIONS, FileFormat, FileKind
+from minipov.image_format import EXTENSIONS, FileFormat, FileKind
 from minipov.options import CommandLine, UsageError
 
 _LETTERS: dict[str, FileKind] = {

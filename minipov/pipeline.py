@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Callable
+from concurrent.futures import Future
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from minipov.frames import Frame
-from minipov.image_input import load_image
 from minipov.include_path import library_folders
 from minipov.interpreter.context import Options as LoadOptions
 from minipov.options import CommandLine, UsageError
 from minipov.tracer.render import RenderJob, RenderResult
-from minipov.tracer.settings import Antialiasing, RenderSettings
+from minipov.tracer.scene import Scene
+from minipov.tracer.settings import Antialiasing, Gamma, RenderSettings
+
+if TYPE_CHECKING:
+    from minipov.tracer.image import Image
 
 POLL_SECONDS = 0.05
 _MAX_PIXELS = 1 << 28
@@ -35,7 +42,7 @@ def load_options(command: CommandLine, frame: Frame, files: dict[str, bytes]) ->
         version=command.number("Version") if "Version" in command.given else None,
         quality=command.integer("Quality"),
         files=files,
-        load_image=load_image,
+        load_image=load_image_file,
     )
 
 
@@ -74,15 +81,38 @@ def render_settings(command: CommandLine) -> RenderSettings:
     )
 
 
+def load_image_file(path: Path, kind: str, *, gamma: Gamma, raw: bool, working: Gamma) -> Image:
+    """Read an image that a scene names; the libraries for that are loaded by the first."""
+    from minipov.image_input import load_image
+
+    return load_image(path, kind, gamma=gamma, raw=raw, working=working)
+
+
+def start(scene: Scene, settings: RenderSettings) -> RenderJob:
+    """Prepare ``scene`` and start rendering; Ctrl-C does not have to wait for the preparations."""
+    made: Future[RenderJob] = Future()
+
+    def prepare() -> None:
+        try:
+            made.set_result(RenderJob(scene, settings))
+        except BaseException as error:
+            made.set_exception(error)
+
+    threading.Thread(target=prepare, name="minipov prepare", daemon=True).start()
+    return made.result()
+
+
 def trace(job: RenderJob, progress: Callable[[float], None]) -> RenderResult:
     """Wait for ``job``, calling ``progress`` with the finished share; an exception from there or Ctrl-C cancels it.
 
     After KeyboardInterrupt the picture so far is in ``job.snapshot()``.
     """
+    pause = POLL_SECONDS / 64
     try:
         while not job.finished:
             progress(job.poll())
-            time.sleep(POLL_SECONDS)
+            time.sleep(pause)
+            pause = min(2 * pause, POLL_SECONDS)
         progress(1.0)
         return job.finish()
     except BaseException:
