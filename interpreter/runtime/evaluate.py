@@ -50,8 +50,8 @@ def call_function(callee: Any, values: Sequence[Any]) -> Any:
         return evaluate(callee, values[0], kind)
     if not isinstance(callee, FUNCTIONS):
         raise SdlError(f"{kind_of(callee)} cannot be called", hint="only macros, functions and splines can")
-    arguments = expand(callee, values)
-    return _compiled(callee)(*arguments)
+    value = _compiled(callee)(*expand(callee, values))
+    return Vector(value) if isinstance(value, tuple) else value
 
 
 def parameter_count(function: Function) -> int | None:
@@ -83,7 +83,10 @@ def _compiled(function: Function) -> Any:
         return known[1]
     from minipov.tracer import _core
 
-    compiled = _core.Function(function)
+    try:
+        compiled = _core.Function(function)
+    except ValueError as error:
+        raise SdlError(str(error)) from None
     _cache[id(function)] = (function, compiled)
     return compiled
 

@@ -7,6 +7,7 @@ pub mod atmosphere;
 pub mod camera;
 pub mod color;
 pub mod csg;
+pub mod function;
 pub mod geometry;
 pub mod graph;
 pub mod light;

@@ -11,6 +11,7 @@ use crate::shape::{
     Plane, Poly, Polygon, Prism, Quadric, Shape, Sor, Sphere, SphereSweep, Superellipsoid, Text, Torus,
     Triangle,
 };
+use crate::texture::Builder;
 
 /// A primitive with the transform that could not be worked into it.
 pub struct PlacedShape {
@@ -19,8 +20,8 @@ pub struct PlacedShape {
 }
 
 /// Makes primitives; shapes that several objects share are made once.
-#[derive(Default)]
-pub struct Placer {
+pub struct Placer<'a> {
+    patterns: &'a mut Builder,
     meshes: HashMap<usize, Arc<Mesh>>,
 }
 
@@ -31,7 +32,12 @@ fn as_scaled_shift(t: &Transform) -> Option<f64> {
     (plain && factor > 0.0).then_some(factor)
 }
 
-impl Placer {
+impl<'a> Placer<'a> {
+    /// With the builder that compiles the functions of isosurfaces.
+    pub fn new(patterns: &'a mut Builder) -> Placer<'a> {
+        Placer { patterns, meshes: HashMap::new() }
+    }
+
     /// The primitive for a shape, or the name of what is missing.
     pub fn place(&mut self, shape: &graph::Shape, to_world: &Transform) -> Result<PlacedShape, String> {
         use graph::Shape as S;

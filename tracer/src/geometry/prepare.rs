@@ -14,10 +14,15 @@ use crate::accel::{Accelerator, AcceleratorKind, RayKind};
 use crate::csg::{Composite, Operation};
 use crate::graph::{self, LightSource, Object, Shared, Unsupported};
 use crate::math::Transform;
+use crate::texture::Builder;
 
 /// Makes the objects of a scene ready for rays. What cannot be rendered is left out and listed.
-pub fn prepare(objects: &[Object], kind: AcceleratorKind) -> (Geometry, Vec<Unsupported>) {
-    let mut preparation = Preparation::new(kind);
+pub fn prepare(
+    objects: &[Object],
+    kind: AcceleratorKind,
+    patterns: &mut Builder,
+) -> (Geometry, Vec<Unsupported>) {
+    let mut preparation = Preparation::new(kind, Placer::new(patterns));
     for object in objects {
         preparation.add_top(object, &Surroundings::default());
     }
@@ -35,18 +40,18 @@ struct Surroundings {
     clipped_by: Vec<NodeId>,
 }
 
-struct Preparation {
+struct Preparation<'a> {
     kind: AcceleratorKind,
     geometry: Geometry,
     top: Vec<NodeId>,
-    placer: Placer,
+    placer: Placer<'a>,
     unsupported: Vec<Unsupported>,
     texture_index: HashMap<usize, Vec<u32>>,
     interior_index: HashMap<usize, Vec<u32>>,
 }
 
-impl Preparation {
-    fn new(kind: AcceleratorKind) -> Preparation {
+impl<'a> Preparation<'a> {
+    fn new(kind: AcceleratorKind, placer: Placer<'a>) -> Preparation<'a> {
         Preparation {
             kind,
             geometry: Geometry {
@@ -62,7 +67,7 @@ impl Preparation {
                 light_groups: Vec::new(),
             },
             top: Vec::new(),
-            placer: Placer::default(),
+            placer,
             unsupported: Vec::new(),
             texture_index: HashMap::new(),
             interior_index: HashMap::new(),

@@ -4,6 +4,7 @@ use super::{prepare, Geometry};
 use crate::accel::{AcceleratorKind, Counters, RayKind};
 use crate::graph::Object;
 use crate::math::{Bounds, Ray, Vec3};
+use crate::texture::Builder;
 
 /// Nearer than this, and farther than that, nothing is found.
 const NEAR: f64 = 1e-4;
@@ -20,7 +21,8 @@ pub struct Questioned {
 impl Questioned {
     /// Makes an object ready for questions.
     pub fn new(object: &Object) -> Questioned {
-        let (geometry, _) = prepare(std::slice::from_ref(object), AcceleratorKind::Octree);
+        let (geometry, _) =
+            prepare(std::slice::from_ref(object), AcceleratorKind::Octree, &mut Builder::default());
         Questioned { geometry }
     }
 

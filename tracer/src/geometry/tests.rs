@@ -7,6 +7,7 @@ use crate::graph::shapes::{Box, Plane, Sphere};
 use crate::graph::{Modifiers, Object};
 use crate::math::{vec3, Ray, Transform, Vec3};
 use crate::testing::Random;
+use crate::texture::Builder;
 
 const FAR: f64 = 1e7;
 
@@ -15,7 +16,7 @@ fn nearest(geometry: &Geometry, ray: &Ray) -> Option<Hit> {
 }
 
 fn geometry(objects: &[Object], kind: AcceleratorKind) -> Geometry {
-    let (geometry, unsupported) = prepare(objects, kind);
+    let (geometry, unsupported) = prepare(objects, kind, &mut Builder::default());
     assert!(unsupported.is_empty(), "{unsupported:?}");
     geometry
 }

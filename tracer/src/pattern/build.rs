@@ -20,7 +20,8 @@ impl Builder {
         Some(Pattern { kind, modifiers })
     }
 
-    fn modifiers(&self, node: &graph::PatternModifiers, own_wave: Wave) -> Modifiers {
+    /// The modifiers of a pattern whose own wave is `own_wave`.
+    pub(crate) fn modifiers(&self, node: &graph::PatternModifiers, own_wave: Wave) -> Modifiers {
         let wave = match node.wave {
             None => own_wave,
             Some(WaveKind::Ramp) => Wave::Ramp,
@@ -70,7 +71,7 @@ impl Builder {
             },
             graph::Pattern::DensityFile(_) => return self.no_pattern("density_file"),
             graph::Pattern::Facets(_) => return self.no_pattern("facets"),
-            graph::Pattern::Function(_) => return self.no_pattern("function"),
+            graph::Pattern::Function(pattern) => PatternKind::Function(self.function(&pattern.function)?),
             graph::Pattern::ImageMap(_) => return self.no_pattern("image_map"),
             graph::Pattern::ImagePattern(_) => return self.no_pattern("image_pattern"),
             graph::Pattern::Fractal(_) => return self.no_pattern("fractal pattern"),

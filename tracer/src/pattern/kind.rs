@@ -2,6 +2,7 @@
 
 use super::{blocks, cells, noisy, shells, spirals, surface};
 use super::{Brick, Crackle, Modifiers, Slope, SurfaceContext, Wave, WaveSources};
+use crate::function::Function;
 use crate::math::Vec3;
 
 /// A pattern's keyword and its own parameters.
@@ -24,6 +25,7 @@ pub enum PatternKind {
     Cubic,
     Cylindrical,
     Dents,
+    Function(Function),
     /// The direction, of length one.
     Gradient(Vec3),
     Granite,
@@ -72,6 +74,7 @@ impl PatternKind {
             PatternKind::Cubic => blocks::cubic(p),
             PatternKind::Cylindrical => shells::fading(p.x.hypot(p.z)),
             PatternKind::Dents => noisy::dents(p, generator),
+            PatternKind::Function(function) => function.at(p),
             PatternKind::Gradient(direction) => shells::wrapped(p.dot(*direction)),
             PatternKind::Granite => noisy::granite(p, generator),
             PatternKind::Hexagon => blocks::hexagon(p),

@@ -23,10 +23,10 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
         Accelerator::Octree => AcceleratorKind::Octree,
     };
     let objects: Vec<_> = scene.objects.iter().cloned().chain(lights::visible(scene)).collect();
-    let (geometry, mut unsupported) = geometry::prepare(&objects, kind);
-    let quality = Quality::new(settings.quality);
     let global = &scene.settings;
     let mut patterns = Builder::new(i64::from(global.noise_generator), global.number_of_waves as usize);
+    let (geometry, mut unsupported) = geometry::prepare(&objects, kind, &mut patterns);
+    let quality = Quality::new(settings.quality);
     let (textures, dresses) = textures::prepare(scene, &geometry, &quality, &mut patterns, &mut unsupported);
     let (lights, light_sets) = lights::prepare(scene, &geometry, &mut unsupported);
     let (camera, missing) = Camera::new(&scene.camera);

@@ -1,5 +1,6 @@
 //! The thin Python binding of the core: `minipov.tracer._core`.
 
+mod function;
 mod question;
 mod render;
 
@@ -7,6 +8,8 @@ use pyo3::prelude::*;
 
 #[pymodule]
 mod _core {
+    #[pymodule_export]
+    use super::function::{vturbulence, Function};
     #[pymodule_export]
     use super::question::Question;
     #[pymodule_export]

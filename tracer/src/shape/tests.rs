@@ -7,6 +7,7 @@ use crate::graph::shapes::{SplineKind, Sweep};
 use crate::graph::{self, shapes, Object};
 use crate::math::{vec3, Ray, Transform, Vec3};
 use crate::testing::Random;
+use crate::texture::Builder;
 
 const FAR: f64 = 1e7;
 
@@ -149,7 +150,8 @@ fn samples() -> Vec<(Object, Kind)> {
 }
 
 fn ready(object: &Object) -> Geometry {
-    let (geometry, unsupported) = prepare(std::slice::from_ref(object), AcceleratorKind::Octree);
+    let (geometry, unsupported) =
+        prepare(std::slice::from_ref(object), AcceleratorKind::Octree, &mut Builder::default());
     assert!(unsupported.is_empty(), "{unsupported:?}");
     geometry
 }

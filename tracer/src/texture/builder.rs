@@ -5,10 +5,11 @@ use std::sync::Arc;
 
 use super::color_map::BlendMap;
 use super::{ColorMap, Pigment};
+use crate::function::Function;
 use crate::graph::pigment as graph;
 use crate::graph::{Shared, Unsupported};
 use crate::noise::NoiseGenerator;
-use crate::pattern::{PatternKind, WaveSources};
+use crate::pattern::{PatternKind, Wave, WaveSources};
 
 /// Builds the textures of one scene. Nodes are known by address: the graph must outlive the builder.
 pub struct Builder {
@@ -17,8 +18,15 @@ pub struct Builder {
     /// For `ripples` and `waves`.
     pub(crate) wave_sources: WaveSources,
     pigments: HashMap<usize, Pigment>,
+    pub(crate) functions: HashMap<usize, Option<Function>>,
     /// What was left out.
     pub unsupported: Vec<Unsupported>,
+}
+
+impl Default for Builder {
+    fn default() -> Builder {
+        Builder::new(2, 10)
+    }
 }
 
 impl Builder {
@@ -28,6 +36,7 @@ impl Builder {
             noise_generator: NoiseGenerator::from_number(noise_generator),
             wave_sources: WaveSources::new(number_of_waves),
             pigments: HashMap::new(),
+            functions: HashMap::new(),
             unsupported: Vec::new(),
         }
     }
@@ -52,6 +61,11 @@ impl Builder {
 
     /// A pigment that no one shares.
     pub fn build_pigment(&mut self, node: &graph::Pigment) -> Pigment {
+        if let Some(graph::PigmentBlend::UserDefined(defined)) = &node.blend {
+            let functions = defined.functions.iter().map(|f| self.function(f.as_ref()?)).collect();
+            let modifiers = self.modifiers(&node.modifiers, Wave::Ramp);
+            return Pigment::UserDefined(Arc::new((modifiers, functions)));
+        }
         let Some(kind) = &node.pattern else { return Pigment::Solid(node.color) };
         let Some(pattern) = self.pattern(kind, &node.modifiers) else { return Pigment::Solid(node.color) };
         match &node.blend {
@@ -70,10 +84,7 @@ impl Builder {
                 let pigments = list.pigments.iter().map(|p| self.pigment(p)).collect();
                 Pigment::blocks(pattern, pigments)
             }
-            Some(graph::PigmentBlend::UserDefined(_)) => {
-                self.leave_out("user_defined pigment");
-                Pigment::Solid(node.color)
-            }
+            Some(graph::PigmentBlend::UserDefined(_)) => Pigment::Solid(node.color),
         }
     }
 }

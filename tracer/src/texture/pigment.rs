@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::color_map::{BlendMap, ColorMap};
 use super::default_map;
 use crate::color::Rgbft;
+use crate::function::Function;
 use crate::math::Vec3;
 use crate::pattern::{Modifiers, Pattern, SurfaceContext};
 
@@ -21,6 +22,8 @@ pub enum Pigment {
     Blocks(Arc<(Pattern, Vec<Pigment>)>),
     /// `average`: the weighted mean of pigments.
     Average(Arc<(Modifiers, Vec<(f64, Pigment)>)>),
+    /// `user_defined`: a function for each component, or one that gives them all.
+    UserDefined(Arc<(Modifiers, Vec<Option<Function>>)>),
 }
 
 impl Pigment {
@@ -43,6 +46,10 @@ impl Pigment {
             Pigment::Pigments(node) => node.1.entries().iter().all(|e| e.1.is_opaque()),
             Pigment::Blocks(node) => node.1.iter().all(Pigment::is_opaque),
             Pigment::Average(node) => node.1.iter().all(|e| e.1.is_opaque()),
+            Pigment::UserDefined(node) => {
+                let clear = node.1.iter().skip(3).any(Option::is_some);
+                !clear && node.1.iter().flatten().all(|function| function.size() < 4)
+            }
         }
     }
 
@@ -83,8 +90,22 @@ impl Pigment {
                 let inner = modifiers.locate(p, surface, false);
                 average(entries.iter().map(|(weight, pigment)| (*weight, pigment.color(inner, surface))))
             }
+            Pigment::UserDefined(node) => {
+                let (modifiers, functions) = &**node;
+                user_defined(functions, modifiers.locate(p, surface, false))
+            }
         }
     }
+}
+
+/// A colour whose components functions give.
+fn user_defined(functions: &[Option<Function>], p: Vec3) -> Rgbft {
+    if let [Some(all), rest @ ..] = functions {
+        if all.size() > 1 && rest.iter().all(Option::is_none) {
+            return Rgbft::from(all.components(&[p.x, p.y, p.z]));
+        }
+    }
+    Rgbft::from(std::array::from_fn(|i| functions.get(i).and_then(Option::as_ref).map_or(0.0, |f| f.at(p))))
 }
 
 /// The weighted mean of colours.

@@ -1,0 +1,197 @@
+//! The steps of a function, and the machine that runs them.
+
+use std::sync::Arc;
+
+use super::callee::Callee;
+use super::operators::{Binary, Unary};
+
+/// One step. `R` names a value: numbered values while compiling, registers in a finished program.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)] // each does what it is named after: `to` takes what is made of the others
+pub enum Step<R = u16> {
+    Add {
+        to: R,
+        a: R,
+        b: R,
+    },
+    Sub {
+        to: R,
+        a: R,
+        b: R,
+    },
+    Mul {
+        to: R,
+        a: R,
+        b: R,
+    },
+    Div {
+        to: R,
+        a: R,
+        b: R,
+    },
+    Unary {
+        operator: Unary,
+        to: R,
+        a: R,
+    },
+    Binary {
+        operator: Binary,
+        to: R,
+        a: R,
+        b: R,
+    },
+    Copy {
+        to: R,
+        a: R,
+    },
+    /// Goes on at step `target`, unless `a` is negative.
+    UnlessNegative {
+        a: R,
+        target: u32,
+    },
+    /// Goes on at step `target`, unless `a` is 0.
+    UnlessZero {
+        a: R,
+        target: u32,
+    },
+    Jump {
+        target: u32,
+    },
+    /// Starts `sum` or `prod`; with nothing to do, goes on at step `end`.
+    Loop {
+        product: bool,
+        total: R,
+        index: R,
+        first: R,
+        last: R,
+        end: u32,
+    },
+    /// Ends a turn; with more to do, goes back to step `body`.
+    Turn {
+        product: bool,
+        total: R,
+        index: R,
+        last: R,
+        value: R,
+        body: u32,
+    },
+    /// Makes call number `site`.
+    Call {
+        site: u32,
+    },
+}
+
+/// A call: what is called, the values it is given, and where the components of its value go.
+#[derive(Clone, Debug)]
+pub struct Site<R = u16> {
+    /// What is called.
+    pub callee: Arc<Callee>,
+    /// What it is given.
+    pub arguments: Box<[R]>,
+    /// Where the components go, from the first.
+    pub results: Box<[R]>,
+}
+
+/// A compiled function of numbers.
+#[derive(Clone, Debug)]
+pub struct Program {
+    pub(super) steps: Vec<Step>,
+    pub(super) sites: Vec<Site>,
+    /// What stands in the registers at the start: room for the arguments, then the constants.
+    pub(super) start: Vec<f64>,
+    pub(super) arguments: usize,
+    /// How many registers there are.
+    pub(super) registers: usize,
+    pub(super) result: u16,
+}
+
+/// As many registers as a 16-bit number can name.
+const MOST_REGISTERS: usize = 1 << 16;
+
+impl Program {
+    /// The value for these arguments; missing ones are 0.
+    #[inline]
+    pub fn value(&self, arguments: &[f64]) -> f64 {
+        match self.registers {
+            0..=16 => self.run(&mut [0.0; 16], arguments),
+            17..=64 => self.run(&mut [0.0; 64], arguments),
+            65..=512 => self.run(&mut [0.0; 512], arguments),
+            _ => {
+                let registers = vec![0.0; MOST_REGISTERS].into_boxed_slice();
+                let mut registers: Box<[f64; MOST_REGISTERS]> = registers.try_into().expect("as many");
+                self.run(&mut registers, arguments)
+            }
+        }
+    }
+
+    /// Runs in `N` registers, a power of two, so that masking a number to stay below it costs nothing.
+    fn run<const N: usize>(&self, registers: &mut [f64; N], arguments: &[f64]) -> f64 {
+        let known = self.start.len().min(N);
+        registers[..known].copy_from_slice(&self.start[..known]);
+        let given = arguments.len().min(self.arguments).min(N);
+        registers[..given].copy_from_slice(&arguments[..given]);
+        macro_rules! at {
+            ($r:expr) => {
+                registers[$r as usize & (N - 1)]
+            };
+        }
+        let mut next = 0;
+        while let Some(step) = self.steps.get(next) {
+            next += 1;
+            match *step {
+                Step::Add { to, a, b } => at!(to) = at!(a) + at!(b),
+                Step::Sub { to, a, b } => at!(to) = at!(a) - at!(b),
+                Step::Mul { to, a, b } => at!(to) = at!(a) * at!(b),
+                Step::Div { to, a, b } => at!(to) = at!(a) / at!(b),
+                Step::Unary { operator, to, a } => at!(to) = operator.apply(at!(a)),
+                Step::Binary { operator, to, a, b } => at!(to) = operator.apply(at!(a), at!(b)),
+                Step::Copy { to, a } => at!(to) = at!(a),
+                Step::UnlessNegative { a, target } => {
+                    let negative = at!(a) < 0.0;
+                    next = if negative { next } else { target as usize };
+                }
+                Step::UnlessZero { a, target } => {
+                    let zero = at!(a) == 0.0;
+                    next = if zero { next } else { target as usize };
+                }
+                Step::Jump { target } => next = target as usize,
+                Step::Loop { product, total, index, first, last, end } => {
+                    at!(total) = if product { 1.0 } else { 0.0 };
+                    at!(index) = at!(first);
+                    let any = at!(first) <= at!(last);
+                    next = if any { next } else { end as usize };
+                }
+                Step::Turn { product, total, index, last, value, body } => {
+                    at!(total) = if product { at!(total) * at!(value) } else { at!(total) + at!(value) };
+                    at!(index) += 1.0;
+                    let more = at!(index) <= at!(last);
+                    next = if more { body as usize } else { next };
+                }
+                Step::Call { site } => {
+                    let site = &self.sites[site as usize];
+                    let mut given = [0.0; 16];
+                    let mut many = Vec::new();
+                    let values = match given.get_mut(..site.arguments.len()) {
+                        Some(values) => values,
+                        None => {
+                            many.resize(site.arguments.len(), 0.0);
+                            &mut many[..]
+                        }
+                    };
+                    for (value, &r) in values.iter_mut().zip(&site.arguments) {
+                        *value = at!(r);
+                    }
+                    if let [to] = *site.results {
+                        at!(to) = site.callee.value(values);
+                    } else {
+                        let components = site.callee.components(values);
+                        for (&to, component) in site.results.iter().zip(components) {
+                            at!(to) = component;
+                        }
+                    }
+                }
+            }
+        }
+        at!(self.result)
+    }
+}
