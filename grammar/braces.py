@@ -1,7 +1,8 @@
-"""Braces whose partner lies in another directive body: ``#if (M) merge { #else union { #end ... }``.
+"""What is torn apart by directives: ``#if (M) merge { #else union { #end ... }``, ``(2 * #if (A) 3 #else 4 #end)``.
 
 Inside each body of a directive braces are matched; what stays unmatched becomes LOOSE_LBRACE or LOOSE_RBRACE, so
-that the tree nests everywhere else. The parenthesis of ``#write (`` may be loose in the same way.
+that the tree nests everywhere else. The parenthesis of ``#write (`` may be loose in the same way. An operator whose
+operand lies behind the edge of a body becomes LOOSE_OPERATOR.
 """
 
 from __future__ import annotations
@@ -10,9 +11,14 @@ from collections.abc import Sequence
 from typing import Final
 
 from lark import Token
+from minipov.grammar.keywords import DIRECTIVES
 
 _OPENING: Final = frozenset({"IF", "IFDEF", "IFNDEF", "SWITCH", "WHILE", "FOR", "MACRO"})
 _DIVIDING: Final = frozenset({"ELSE", "ELSEIF", "CASE", "RANGE"})
+_HEADED: Final = (_OPENING | _DIVIDING) - {"ELSE", "MACRO"}
+_DIRECTIVES: Final = frozenset(map(str.upper, DIRECTIVES))
+_OPERATORS: Final = frozenset({"PLUS", "MINUS", "STAR", "SLASH", "BANG"})
+_BODY_EDGES: Final = frozenset({"ELSE", "END", "HEAD_END"})
 
 
 def mark_loose_braces(tokens: Sequence[Token]) -> Sequence[Token]:
@@ -23,24 +29,37 @@ def mark_loose_braces(tokens: Sequence[Token]) -> Sequence[Token]:
         while open_marks and (mark := open_marks.pop()) is not None:
             mark.type = "LOOSE_" + mark.type
 
-    def close(token: Token, opening: str) -> None:
+    def close(token: Token, opening: str) -> Token | None:
         for at in range(len(open_marks) - 1, -1, -1):
             mark = open_marks[at]
             if mark is None:
                 break
             if mark.type == opening:
                 del open_marks[at:]
-                return
+                return mark
         token.type = "LOOSE_" + token.type
+        return None
 
+    previous, before = "", None
+    heads: list[Token] = []
     for token in tokens:
         kind = token.type
+        if before is not None and kind in _DIRECTIVES and before.type in _OPERATORS:
+            before.type = "LOOSE_OPERATOR"
+        elif kind in {"STAR", "SLASH"} and previous in _BODY_EDGES:
+            token.type = "LOOSE_OPERATOR"
+        if kind == "LPAR" and previous in _HEADED:
+            heads.append(token)
+        before, previous = token, kind
         if kind in {"LBRACE", "LPAR"}:
             open_marks.append(token)
         elif kind == "RBRACE":
             close(token, "LBRACE")
         elif kind == "RPAR":
-            close(token, "LPAR")
+            opening = close(token, "LPAR")
+            if heads and opening is heads[-1]:
+                heads.pop()
+                previous = "HEAD_END"
         elif kind in _OPENING:
             open_marks.append(None)
         elif kind in _DIVIDING:

@@ -61,6 +61,12 @@ class Builder(Transformer[Token, Any]):
     def loose_paren(self, c: Children) -> Any:
         return tree.LooseParen(c[0].line, c[0].column)
 
+    def loose_operator(self, c: Children) -> Any:
+        return tree.LooseOperator(c[0].line, c[0].column, c[0].value)
+
+    def dotted_key(self, c: Children) -> Any:
+        return tree.Bracket(c[0].line, c[0].column, (tree.String(c[0].line, c[0].column, c[1]),))
+
     def bulk(self, c: Children) -> Any:
         values, trailing_comma = c[0].value
         return tree.BulkVectors(c[0].line, c[0].column, values, trailing_comma)
@@ -78,6 +84,9 @@ class Builder(Transformer[Token, Any]):
 
     def name(self, c: Children) -> Any:
         return tree.Name(c[0].line, c[0].column, str(c[0]))
+
+    def scoped(self, c: Children) -> Any:
+        return tree.Scoped(c[0].line, c[0].column, c[0].value, str(c[2]))
 
     def vector(self, c: Children) -> Any:
         return tree.Vector(c[0].line, c[0].column, _items(c[1:-1]))
@@ -97,8 +106,12 @@ class Builder(Transformer[Token, Any]):
         return tree.Paren(c[0].line, c[0].column, c[1])
 
     def group(self, c: Children) -> Any:
-        items = [self.punctuation([child]) if isinstance(child, Token) else child for child in c[1:-1]]
-        return tree.Group(c[0].line, c[0].column, _items(items))
+        def item(child: Any) -> Any:
+            if not isinstance(child, Token):
+                return child
+            return self.loose_operator([child]) if child.type == "LOOSE_OPERATOR" else self.punctuation([child])
+
+        return tree.Group(c[0].line, c[0].column, _items([item(child) for child in c[1:-1]]))
 
     def member_name(self, c: Children) -> Any:
         return str(c[0])
@@ -114,6 +127,9 @@ class Builder(Transformer[Token, Any]):
 
     def builtin(self, c: Children) -> Any:
         return tree.BuiltinCall(c[0].line, c[0].column, str(c[0]), _items(c[2:-1]))
+
+    def builtin_of_group(self, c: Children) -> Any:
+        return tree.BuiltinCall(c[0].line, c[0].column, str(c[0]), (c[1],))
 
     # --- SDL functions ---
 

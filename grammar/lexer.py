@@ -89,6 +89,8 @@ def terminals(version: float) -> dict[str, str]:
     table = {k.name: _KIND_TERMINAL[k.kind] for k in KEYWORDS.values() if k.since <= version}
     if "optional" in table:
         table["optional"] = "OPTIONAL"
+    if version >= 3.8:
+        table |= {"local": "SCOPE", "global": "SCOPE"}
     return table | _SPECIAL_WORDS | _BARE_DIRECTIVES
 
 

@@ -48,6 +48,14 @@ class Name(Node):
 
 
 @dataclass(frozen=True, slots=True)
+class Scoped(Node):
+    """3.8: ``local.name``, ``global.name``: a name looked up in one table only."""
+
+    scope: Literal["local", "global"]
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
 class ConstantWord(Node):
     """A keyword that is a value: ``x``, ``pi``, ``clock``, ``on``, ``image_width``..."""
 
@@ -182,6 +190,13 @@ class LooseBrace(Node):
 @dataclass(frozen=True, slots=True)
 class LooseParen(Node):
     """The ``)`` that closes a `FileWriteOpen`."""
+
+
+@dataclass(frozen=True, slots=True)
+class LooseOperator(Node):
+    """An operator one of whose operands a directive supplies: ``(2 * #if (A) 3 #else 4 #end)``."""
+
+    operator: Literal["+", "-", "*", "/", "!"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -392,6 +407,7 @@ Expression: TypeAlias = (
     Number
     | String
     | Name
+    | Scoped
     | ConstantWord
     | Vector
     | Unary
@@ -428,5 +444,14 @@ Directive: TypeAlias = (
 )
 
 Item: TypeAlias = (
-    Expression | Keyword | Block | LooseBrace | LooseParen | Bracket | Punctuation | BulkVectors | Directive
+    Expression
+    | Keyword
+    | Block
+    | LooseBrace
+    | LooseParen
+    | LooseOperator
+    | Bracket
+    | Punctuation
+    | BulkVectors
+    | Directive
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NoReturn
 
 from minipov.interpreter.errors import SdlError
-from minipov.interpreter.values import Vector, kind_of
+from minipov.interpreter.values import COMPONENTS, Vector, kind_of
 
 MOST_DIMENSIONS = 5
 MOST_ELEMENTS = 100_000_000
@@ -159,6 +159,12 @@ class Dictionary(dict[str, Any]):
     def copy(self) -> Dictionary:
         """A dictionary of its own, containers inside it copied too."""
         return Dictionary((key, copied(value)) for key, value in self.items())
+
+    def __getattr__(self, name: str) -> Any:
+        """The value of a key that is also the name of a component: ``D.x``."""
+        if name not in COMPONENTS:
+            raise AttributeError(name)
+        return self.get_item(name)
 
     def get_item(self, key: Any) -> Any:
         """The value of a key."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from math import inf
 from operator import itemgetter
+from struct import Struct
 from typing import Any, TypeAlias
 
 EPSILON = 1e-10
@@ -151,6 +152,19 @@ def _termwise(a: Any, b: Any, operation: Callable[[float, float], float]) -> Vec
 def compare(a: Any, b: Any, operation: Callable[[float, float], bool]) -> Vector:
     """A relation of which at least one side is a vector, term by term."""
     return Vector(float(operation(p, q)) for p, q in zip(*promoted(a, b), strict=True))
+
+
+_FIVE_SINGLES = Struct("5f")
+
+
+def stored(value: Any) -> Any:
+    """What a variable keeps of a value: colours are held in single precision."""
+    if value.__class__ is not Vector or len(value) != 5:
+        return value
+    try:
+        return _new(Vector, _FIVE_SINGLES.unpack(_FIVE_SINGLES.pack(*value)))
+    except OverflowError:
+        return value
 
 
 def kind_of(value: Any) -> str:

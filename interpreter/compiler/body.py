@@ -33,6 +33,9 @@ class Unit:
 class Body(ABC):
     """A function in the making. Expressions that need statements before them add these to ``statements``."""
 
+    is_file = True
+    """Whether this is a file's own code, not a macro's."""
+
     gathering = False
     """Whether what is pushed are parts of one expression: ``(1 #if (A) + 2 #end)``."""
 

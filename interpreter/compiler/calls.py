@@ -13,7 +13,7 @@ from typing import Final
 
 from minipov.grammar import tree
 from minipov.interpreter.compiler.expressions import Expressions
-from minipov.interpreter.compiler.shapes import EXPRESSIONS, argument_groups, constant, may_splice
+from minipov.interpreter.compiler.shapes import EXPRESSIONS, argument_groups, constant, may_splice, never_color
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.runtime.builtins import BUILTINS
 
@@ -42,11 +42,14 @@ class Calls(Expressions):
         callee = self.value(node.of)
         self.emit.at(node)
         if groups is None:
-            sink = self.emit.name(self.gather(node.items, "argument", node))
+            sink = self.emit.name(self.gather(node.items, "call", node))
             return self.emit.at(node).call("call_gathered", callee, self.emit.constant(way), sink, self.place(node))
         first: list[ast.expr] = []
         arguments = [self._argument(group, first, node) for group in groups]
         self.emit.at(node)
+        if not all(groups):
+            cells = self.emit.list([cell for cell, _ in arguments])
+            return self.emit.call("call_with", cells, callee, self.emit.constant(way))
         if any(len(group) == 1 and may_splice(group[0]) and not isinstance(group[0], tree.Call) for group in groups):
             cells = self.emit.list([cell for cell, _ in arguments])
             return self.emit.call("call_spread", callee, self.emit.constant(way), *first, cells)
@@ -73,7 +76,7 @@ class Calls(Expressions):
     ) -> tuple[ast.expr, ast.expr]:
         """An argument as a cell and as a value; what must be worked out once goes into ``first``."""
         if not group:
-            missing = self.emit.at(node).call("missing_argument")
+            missing = self.emit.at(node).name("MISSING")
             return missing, missing
         item = group[0]
         if len(group) == 1 and isinstance(item, tree.Name):
@@ -97,11 +100,15 @@ class Calls(Expressions):
         if len(group) == 1 and isinstance(item, tree.Call):
             called = self.items_call(item)
             return self.emit.at(item).call("rvalue_of", called, self.emit.constant(what), self.place(item))
-        if len(group) == 1 and isinstance(item, tree.Keyword):
+        if len(group) == 1 and isinstance(item, tree.Keyword) and item.name not in ("array", "dictionary"):
             return self.emit.at(item).name(self.unit.constants.add(("word", item.name)))
         if len(group) == 1 and isinstance(item, EXPRESSIONS):
             value = self.expression(item)
-            return self.emit.call("copied", value) if isinstance(item, tree.Name | tree.Subscript) else value
+            if isinstance(item, tree.Name | tree.Subscript):
+                return self.emit.call("copied", value)
+            if may_splice(item) and what != "argument":
+                value = self.emit.at(item).call("value_of", value)
+            return value if never_color(item) else self.emit.at(item).call("stored", value)
         sink = self.gather(group, what, item)
         return self.emit.at(item).call("rvalue_in", self.emit.name(sink), self.place(item))
 
@@ -116,7 +123,7 @@ class Calls(Expressions):
             return self._failing(SdlError(f"'{node.name}' cannot be called here"), node)
         name = self.emit.at(node).name(f"f_{node.name}")
         if groups is None or not all(len(group) == 1 and isinstance(group[0], EXPRESSIONS) for group in groups):
-            sink = self.emit.name(self.gather(node.items, "argument", node))
+            sink = self.emit.name(self.gather(node.items, "call", node))
             return self.emit.at(node).call("builtin_gathered", self.emit.constant(node.name), name, sink)
         parts: list[tree.Expression] = [group[0] for group in groups]  # type: ignore[misc]  # expressions, as just seen
         if not builtin.least <= len(parts) <= builtin.most and any(map(may_splice, parts)):
@@ -148,12 +155,17 @@ class Calls(Expressions):
             case tree.Name(name=name):
                 undeclared = self.emit.attribute(self.symbol(name), "undeclared")
                 return self.emit.compare(self.cell(name), ast.IsNot(), undeclared)
+            case tree.Scoped(name=name):
+                undeclared = self.emit.attribute(self.symbol(name), "undeclared")
+                return self.emit.compare(self.scoped_cell(node), ast.IsNot(), undeclared)
             case tree.Subscript() | tree.Member():
                 of: tree.Expression = node
+                indices: list[ast.expr] = []
                 while isinstance(of, tree.Subscript | tree.Member):
+                    index = self.value(of.index) if isinstance(of, tree.Subscript) else self.emit.constant(of.name)
+                    indices.insert(0, index)
                     of = of.of
                 if isinstance(of, tree.Name):
-                    _, indices = self.element(node)
                     return self.emit.call("holds", self.symbol(of.name), self.emit.tuple(indices))
             case tree.Paren(inner=inner):
                 return self.is_defined(inner)

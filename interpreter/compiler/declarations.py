@@ -58,6 +58,10 @@ class Declarations(ArrayLiterals):
         self.add(self.emit.at(node).function(taker, ["value"], body, opens=False))
         count = self.emit.constant(len(node.targets) if node.form else 0)
         self.do("begin_declaration", self.emit.name(taker), self.place(node), count)
+        values = items[at + 1] if at + 1 < len(items) else None
+        if node.form and isinstance(values, tree.Group):
+            self.items(values.items)
+            return at + 2
         return at + 1
 
     def _tuple_targets(self, node: tree.Declare) -> None:
@@ -105,6 +109,8 @@ class Declarations(ArrayLiterals):
             self.emit.at(node)
             method = self.emit.attribute(container, "assign")
             self.add(self.emit.do(self.emit.call(method, self.emit.name(name), *indices)))
+        elif isinstance(target, tree.Scoped):
+            self.add(self.emit.set(self.scoped_cell(target), "v", value))
         elif not isinstance(target, tree.Name):
             self.add(
                 self.emit.do(self.emit.call("fail", self.emit.constant("expected a name"), self.emit.constant(None)))

@@ -211,9 +211,12 @@ class Directives(Declarations):
         for target in node.targets:
             value = self.emit.at(node).call("read_file", self.symbol(node.name))
             kept = self.kept(value)
-            if isinstance(target, tree.Name):
-                self.do("check_kind", self.cell(target.name), self.emit.name(kept))
-            self.assign(target, self.emit.name(kept), node, local=False)
+            with self.block() as body:
+                if isinstance(target, tree.Name):
+                    self.do("check_kind", self.cell(target.name), self.emit.name(kept))
+                self.assign(target, self.emit.name(kept), node, local=False)
+            found = self.emit.compare(self.emit.name(kept), ast.IsNot(), self.emit.constant(None))
+            self.add(self.emit.if_(found, body, []))
         self.emit.at(node)
         self.do("end_read", self.symbol(node.name))
 
@@ -238,7 +241,7 @@ class Directives(Declarations):
     def _write_group(self, node: tree.FileWrite, group: Sequence[tree.Item], binary: str | None) -> None:
         split = argument_groups(group)
         if split is None or not all(len(part) == 1 and isinstance(part[0], EXPRESSIONS) for part in split):
-            sink = self.emit.name(self.gather(group, "argument", node))
+            sink = self.emit.name(self.gather(group, "call", node))
             self.do("write_gathered", self.symbol(node.name), sink, self.emit.constant(binary))
             return
         for part in split:

@@ -46,6 +46,8 @@ class Expressions(Body):
         match node:
             case tree.Name(name=name):
                 return self.emit.attribute(self.cell(name), "v")
+            case tree.Scoped():
+                return self.emit.attribute(self.scoped_cell(node), "v")
             case tree.ConstantWord(name=name):
                 return self._variable(name)
             case tree.Paren(inner=inner):
@@ -71,6 +73,17 @@ class Expressions(Body):
             case tree.FunctionLiteral():
                 return self.function_literal(node)
         raise TypeError(f"not an expression: {node}")
+
+    def scoped_cell(self, node: tree.Scoped) -> ast.expr:
+        """The cell of ``local.name`` or ``global.name``."""
+        own = node.name in self.local_names or node.name in self.parameters
+        symbol = self.emit.at(node).attribute(self.symbol(node.name), "undeclared")
+        if node.scope == "global":
+            outer = self.emit.name(f"o_{node.name}") if own else self.emit.constant(None)
+            return self.emit.call("global_cell", self.symbol(node.name), outer)
+        if own:
+            return self.emit.either(self.emit.name(f"l_{node.name}"), symbol)
+        return self.cell(node.name) if self.is_file else symbol
 
     def condition(self, node: tree.Expression) -> ast.expr:
         """An expression as a Python truth."""
@@ -184,7 +197,7 @@ class Expressions(Body):
         """The variable of a sink into which ``items`` went."""
         self.emit.at(node)
         sink = self.kept(self.emit.call("collect", self.emit.constant(name), self.place(node)), "sink")
-        outer, self.gathering = self.gathering, name in ("<", "(")
+        outer, self.gathering = self.gathering, name in ("<", "(", "call")
         self.items(items)
         self.gathering = outer
         self.do("collected", self.emit.name(sink))

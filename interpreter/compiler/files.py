@@ -38,6 +38,7 @@ class MacroBody(FileBody):
     """The items of a macro."""
 
     opens = True
+    is_file = False
 
     def __init__(self, unit: Unit, node: tree.Macro) -> None:
         super().__init__(unit, node.parameters, local_names(node.items))

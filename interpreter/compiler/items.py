@@ -80,6 +80,9 @@ class Items(FunctionLiterals):
             run.add(None, value, self.at(word))
             return end
         following = items[at + 1] if at + 1 < len(items) else None
+        if word.name == "dictionary" and not isinstance(following, tree.Block):
+            run.add(None, self.emit.at(word).call("Dictionary"), self.at(word))
+            return at + 1
         if isinstance(following, tree.Block):
             self.flush(run)
             self.block_items(word.name, following, word)
@@ -131,6 +134,9 @@ class Items(FunctionLiterals):
             case tree.LooseBrace(opening=opening):
                 self.emit.at(item)
                 self.do("open_brace" if opening else "close_block", self.place(item))
+            case tree.LooseOperator(operator=operator):
+                self.emit.at(item)
+                self.do("push", self.emit.name(_SIGNS[operator]), self.place(item))
             case tree.LooseParen():
                 self.emit.at(item)
                 self.do("end_write")

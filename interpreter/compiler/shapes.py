@@ -20,8 +20,8 @@ CONSTANT_WORDS: Final[dict[str, Any]] = {
 
 ARITHMETIC: Final = frozenset("+-*/")
 EXPRESSIONS: Final = (
-    tree.Number, tree.String, tree.Name, tree.ConstantWord, tree.Vector, tree.Unary, tree.Binary, tree.Conditional,
-    tree.Paren, tree.Group, tree.Member, tree.Subscript, tree.Call, tree.BuiltinCall, tree.FunctionLiteral,
+    tree.Number, tree.String, tree.Name, tree.Scoped, tree.ConstantWord, tree.Vector, tree.Unary, tree.Binary,
+    tree.Conditional, tree.Paren, tree.Group, tree.Member, tree.Subscript, tree.Call, tree.BuiltinCall, tree.FunctionLiteral,
 )  # fmt: skip
 DIRECTIVES: Final = (
     tree.Declare, tree.Undef, tree.Include, tree.If, tree.Switch, tree.While, tree.For, tree.Break, tree.Macro,
@@ -87,6 +87,21 @@ def may_splice(node: tree.Item) -> bool:
             return may_splice(inner)
         case tree.Binary(operator=operator, left=left, right=right):
             return operator in ARITHMETIC and (may_splice(left) or may_splice(right))
+    return False
+
+
+def never_color(node: tree.Item) -> bool:
+    """Whether an expression cannot have five terms."""
+    match node:
+        case tree.Number() | tree.String() | tree.Member() | tree.BuiltinCall() | tree.ConstantWord():
+            return True
+        case tree.Paren(inner=inner) | tree.Unary(operand=inner):
+            return never_color(inner)
+        case tree.Binary(left=left, right=right) | tree.Conditional(yes=left, no=right):
+            return never_color(left) and never_color(right)
+        case tree.Vector(items=items):
+            terms = [item for item in items if not is_comma(item)]
+            return len(terms) < 5 and all(isinstance(term, EXPRESSIONS) and not may_splice(term) for term in terms)
     return False
 
 

@@ -127,7 +127,7 @@ class Blocks:
         self.file.settle()
 
 
-_NO_BRACE = frozenset({"file", "[", "(", "<", "declare", "argument"})
+_NO_BRACE = frozenset({"file", "[", "(", "<", "declare", "argument", "call"})
 
 
 def _no_such_block(sink: Sink) -> tuple[str, Place]:

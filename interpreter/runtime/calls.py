@@ -10,7 +10,7 @@ from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import COMMA, Item, Sink, Word
 from minipov.interpreter.runtime.builtins import BUILTINS
 from minipov.interpreter.runtime.evaluate import call_function
-from minipov.interpreter.runtime.macros import Macro
+from minipov.interpreter.runtime.macros import MISSING, Macro
 from minipov.interpreter.runtime.names import Cell, ElementCell, Symbol
 from minipov.interpreter.runtime.rvalues import rvalue
 from minipov.interpreter.runtime.splice import Spliced, items_of, joined
@@ -22,11 +22,6 @@ def fail(message: str, hint: str | None = None) -> NoReturn:
     raise SdlError(message, hint=hint)
 
 
-def missing_argument() -> NoReturn:
-    """Two commas in a row among arguments."""
-    fail("an argument is missing between the commas")
-
-
 def call(callee: Any, *values: Any) -> Any:
     """A call of what is no macro of that many arguments; one argument may turn out to be several."""
     if any(value.__class__ is Spliced for value in values):
@@ -34,7 +29,7 @@ def call(callee: Any, *values: Any) -> Any:
         if isinstance(callee, Macro) and callee.arity == len(values):
             return callee.value(*map(Cell, values))
     if isinstance(callee, Macro):
-        callee(*values)
+        return callee.value(*callee.filled([Cell(value) for value in values]))
     return call_function(callee, values)
 
 
@@ -57,7 +52,7 @@ def _single_values(items: Sequence[Item]) -> list[Any]:
 
 def call_gathered(callee: Any, way: str, sink: Sink, place: Place) -> Any:
     """A call whose argument list holds directives: each item is an argument."""
-    return _call_with([Cell(value) for value in _single_values(sink.items)], callee, way)
+    return call_with([Cell(value) for value in _single_values(joined(sink.items))], callee, way)
 
 
 def call_spread(callee: Any, way: str, *rest: Any) -> Any:
@@ -66,14 +61,15 @@ def call_spread(callee: Any, way: str, *rest: Any) -> Any:
     for cell in rest[-1]:
         items = items_of(cell.v)
         cells += [cell] if len(items) == 1 and items[0] is cell.v else map(Cell, _single_values(items))
-    return _call_with(cells, callee, way)
+    return call_with(cells, callee, way)
 
 
-def _call_with(cells: list[Any], callee: Any, way: str) -> Any:
+def call_with(cells: list[Any], callee: Any, way: str) -> Any:
+    """A call with these cells; empty places between the commas hold MISSING."""
     if isinstance(callee, Macro):
-        if len(cells) != callee.arity:
-            callee(*cells)
-        return getattr(callee, way)(*cells)
+        return getattr(callee, way)(*callee.filled(cells))
+    if MISSING in cells:
+        fail("an argument is missing between the commas")
     return call(callee, *(cell.v for cell in cells))
 
 

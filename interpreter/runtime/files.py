@@ -29,9 +29,10 @@ BINARY_WORDS: Final = frozenset(_BINARY)
 
 _FLOAT: Final = r"[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _ITEM: Final = re.compile(
-    rf"""\s*(?:(?P<vector><(?P<terms>[^>]*)>)|(?P<float>{_FLOAT})|"(?P<string>(?:[^"\\]|\\.)*)")\s*(?P<comma>,?)\s*""",
+    rf"""\s*(?:(?P<vector><(?P<terms>[^>]*)>)|(?P<float>{_FLOAT})|"(?P<string>(?:[^"\\]|\\.)*)")\s*""",
     re.VERBOSE,
 )
+_LONGEST_BLANK: Final = 4096
 _ESCAPES: Final = {"n": "\n", "t": "\t", "r": "\r", "a": "\a", "b": "\b", "f": "\f", "v": "\v", "0": "\0"}
 
 
@@ -44,25 +45,26 @@ class Reader:
         self.name = name
         self._text = content.decode("utf-8", "replace").removeprefix("\ufeff")
         self._at = 0
-
-    @property
-    def at_end(self) -> bool:
-        """Whether nothing but blanks is left."""
-        return not self._text[self._at :].strip(" \t\r\n,") if len(self._text) - self._at < 4096 else False
+        self.at_end = False
+        """Whether a reading has met the end of the file (a comma before it does not count as the end)."""
 
     def read(self) -> Any:
-        """The next item.
+        """The next item; None if the file has ended.
 
         Raises:
-            SdlError: there is none, or something else stands there.
+            SdlError: something else stands there.
         """
+        if len(self._text) - self._at < _LONGEST_BLANK and not self._text[self._at :].strip():
+            self.at_end = True
+        if self.at_end:
+            return None
         match = _ITEM.match(self._text, self._at)
         if match is None:
             line = self._text.count("\n", 0, self._at) + 1
             found = self._text[self._at : self._at + 20].strip()
-            what = f"found {found!r}" if found else "the file ends"
-            raise SdlError(f"{self.name}:{line}: expected a number, vector or string, {what}")
+            raise SdlError(f"{self.name}:{line}: expected a number, vector or string, found {found!r}")
         self._at = match.end()
+        self._separator()
         if match["float"] is not None:
             return float(re.sub(r"\s", "", match["float"]))
         if match["string"] is not None:
@@ -71,6 +73,15 @@ class Reader:
         if not 2 <= len(numbers) <= 5:
             raise SdlError(f"{self.name}: a vector of {len(numbers)} terms")
         return Vector(float(re.sub(r"\s", "", number)) for number in numbers)
+
+    def _separator(self) -> None:
+        """The comma after an item. Where another item stands instead, that is lost, as in POV-Ray."""
+        if self._text.startswith(",", self._at):
+            self._at += 1
+        elif other := _ITEM.match(self._text, self._at):
+            self._at = other.end()
+        elif self._at == len(self._text):
+            self.at_end = True
 
     def close(self) -> None:
         """Nothing is held open."""

@@ -5,20 +5,20 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from minipov.interpreter.arrays import UNSET, Array, copied, subscript
+from minipov.interpreter.arrays import UNSET, Array, Dictionary, copied, subscript
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import Item, Punctuation, Sink, Word
-from minipov.interpreter.runtime import calls, evaluate, operators, pending, splice
+from minipov.interpreter.runtime import calls, dictionaries, evaluate, operators, pending, splice  # noqa: F401
 from minipov.interpreter.runtime.builtins import BUILTINS
-from minipov.interpreter.runtime.macros import Macro
-from minipov.interpreter.runtime.names import Cell, FixedCell, Symbol
+from minipov.interpreter.runtime.macros import MISSING, Macro
+from minipov.interpreter.runtime.names import Cell, FixedCell, Symbol, global_cell
 from minipov.interpreter.runtime.program import Running
-from minipov.interpreter.values import EPSILON, Vector, kind_of
+from minipov.interpreter.values import EPSILON, Vector, kind_of, stored
 from minipov.tracer import function
 
 _PLAIN: dict[str, Any] = {
     **{name: getattr(calls, name) for name in (
-        "fail", "missing_argument", "call", "element", "holds", "call_gathered", "call_spread", "builtin_spread",
+        "fail", "call", "call_with", "element", "holds", "call_gathered", "call_spread", "builtin_spread",
         "builtin_gathered", "rvalue_of", "rvalue_in", "values_in_call", "vector", "spliced_vector", "gathered_vector",
         "gathered_value",
     )},
@@ -36,11 +36,15 @@ _PLAIN: dict[str, Any] = {
     "Accumulate": function.Accumulate,
     "Cell": Cell,
     "FixedCell": FixedCell,
+    "Dictionary": Dictionary,
+    "MISSING": MISSING,
+    "global_cell": global_cell,
     "Macro": Macro,
     "UNSET": UNSET,
     "copied": copied,
     "float": float,
     "part": pending.part,
+    "stored": stored,
     "subscript": subscript,
     "undefine": Symbol.undefine,
 }  # fmt: skip
@@ -119,7 +123,7 @@ def library(running: Running) -> dict[str, Any]:
         )
 
     def write_gathered(symbol: Symbol, sink: Sink, binary: str | None) -> None:
-        for item in sink.items:
+        for item in splice.joined(sink.items):
             running.write_file(symbol, item, binary)
 
     def begin_write(symbol: Symbol, place: Place) -> None:
@@ -142,7 +146,8 @@ def library(running: Running) -> dict[str, Any]:
     def define_macro(symbol: Symbol, parameters: tuple[str, ...], least: int, function: Any, returns: bool) -> None:
         if symbol.declared and not isinstance(symbol.c.v, Macro):
             raise SdlError(f"'{symbol.name}' is declared already", hint=f"it is {kind_of(symbol.c.v)}; #undef it first")
-        symbol.c = FixedCell(symbol.name, Macro(symbol.name, parameters, least, function, returns, blocks))
+        symbols = tuple(running.names[parameter] for parameter in parameters)
+        symbol.c = FixedCell(symbol.name, Macro(symbol.name, parameters, symbols, least, function, returns, blocks))
 
     def push(item: Item, place: Place) -> None:
         blocks.sink.push(item, place)

@@ -8,26 +8,30 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any, NoReturn
+from typing import Any, Final, NoReturn
 
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.items import Item
 from minipov.interpreter.runtime.blocks import Blocks
-from minipov.interpreter.runtime.names import Cell
+from minipov.interpreter.runtime.names import Cell, Symbol
 from minipov.interpreter.runtime.places import current_place
 from minipov.interpreter.runtime.splice import Spliced, items_of
+
+MISSING: Final = object()
+"""Stands where an argument is left out."""
 
 
 class Macro:
     """A macro. ``value(*cells)`` gives what stands in an expression; ``run(*cells)`` pushes its items."""
 
-    __slots__ = ("arity", "blocks", "function", "least", "name", "parameters", "run", "value")
+    __slots__ = ("arity", "blocks", "function", "least", "name", "parameters", "run", "symbols", "value")
     sdl_kind = "macro"
 
     def __init__(
         self,
         name: str,
         parameters: tuple[str, ...],
+        symbols: tuple[Symbol, ...],
         least: int,
         function: Callable[..., Any],
         returns: bool,
@@ -35,6 +39,7 @@ class Macro:
     ) -> None:
         self.name = name
         self.parameters = parameters
+        self.symbols = symbols
         self.arity = len(parameters)
         self.least = least
         self.function = function
@@ -64,15 +69,24 @@ class Macro:
         self.blocks.collected(sink)
         return sink.items, sink.places
 
-    def __call__(self, *arguments: Any) -> NoReturn:
-        """A call with the wrong number of arguments.
+    def filled(self, cells: list[Any]) -> list[Any]:
+        """The cells of all parameters: those of optional ones (3.8) that are left out stand for nothing.
 
         Raises:
-            SdlError: always.
+            SdlError: there are too many or too few arguments.
         """
+        given = cells[:-1] if len(cells) > self.arity and cells[-1] is MISSING else cells
+        given = given + [MISSING] * (self.arity - len(given))
+        if len(given) > self.arity or any(cell is MISSING for cell in given[: self.least]):
+            self._refuse(len(given) if len(given) > self.arity else len(cells))
+        return [
+            symbol.undeclared if cell is MISSING else cell for cell, symbol in zip(given, self.symbols, strict=True)
+        ]
+
+    def _refuse(self, found: int) -> NoReturn:
         wanted = f"{self.arity} argument{'s' * (self.arity != 1)}"
         raise SdlError(
-            f"macro '{self.name}' takes {wanted}, found {len(arguments)}",
+            f"macro '{self.name}' takes {wanted}, found {found}",
             hint=f"it is defined as {self.name}({', '.join(self.parameters)})",
         )
 

@@ -152,6 +152,14 @@ class Symbol:
         self.c = self.c.outer or self.undeclared
 
 
+def global_cell(symbol: Symbol, cell: Any) -> Any:
+    """3.8: the outermost meaning of a name; ``cell`` is where to begin, None for what the name means now."""
+    cell = symbol.c if cell is None else cell
+    while cell.outer is not None and cell.outer is not symbol.undeclared:
+        cell = cell.outer
+    return cell
+
+
 class Names(dict[str, Symbol]):
     """All names of a running scene, by their text."""
 

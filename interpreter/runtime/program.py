@@ -178,7 +178,7 @@ class Running:
         return handle
 
     def read_file(self, symbol: Symbol) -> Any:
-        """One item of ``#read``."""
+        """One item of ``#read``; None when the file has ended."""
         return self._handle(symbol, Reader).read()
 
     def check_kind(self, cell: Any, value: Any) -> None:

@@ -12,7 +12,7 @@ from minipov.interpreter.colors import COLOR_WORDS
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import SEMICOLON, Item, Word, complete
 from minipov.interpreter.reader import ItemReader, describe
-from minipov.interpreter.values import Vector
+from minipov.interpreter.values import Vector, stored
 from minipov.tracer.texture import LayeredTexture, MaterialMap, PatternTexture, PlainTexture, Texture
 
 TEXTURES = (PlainTexture, LayeredTexture, PatternTexture, MaterialMap)
@@ -27,7 +27,7 @@ def rvalue(items: Sequence[Item], places: Sequence[Place], what: str, place: Pla
     if items and items[-1] is SEMICOLON:
         items, places = items[:-1], places[:-1]
     if len(items) == 1 and not isinstance(items[0], Word):
-        return complete(items[0])
+        return stored(complete(items[0]))
     if not items:
         raise SdlError(f"{what}: expected a value, found nothing", place)
     if isinstance(items[0], Word) and items[0].name in COLOR_WORDS:
@@ -35,7 +35,7 @@ def rvalue(items: Sequence[Item], places: Sequence[Place], what: str, place: Pla
         color = Vector(reader.color())
         if not reader.at_end:
             reader.fail("the end of the colour")
-        return color
+        return stored(color)
     values = [complete(item) for item in items]
     if all(isinstance(value, TEXTURES) for value in values):
         return layered(values)

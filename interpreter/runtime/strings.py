@@ -93,8 +93,8 @@ def strlen(whole: str) -> float:
 
 @builtin("strcmp", 2)
 def strcmp(a: str, b: str) -> float:
-    """-1, 0 or 1, by code points."""
-    return float((text(a) > text(b)) - (a < b))
+    """0 for equal strings, else the distance of the first two codes that differ (0 behind the end)."""
+    return next((float(ord(p) - ord(q)) for p, q in zip(text(a) + "\0", text(b) + "\0", strict=False) if p != q), 0.0)
 
 
 @builtin("asc", 1)

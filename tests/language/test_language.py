@@ -4,6 +4,7 @@ import itertools
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import minipov_text
 import povray_text
 import pytest
 from programs import PROGRAMS, Program
@@ -16,6 +17,13 @@ BY_FOLDER = {
 
 def test_every_program_expects_something() -> None:
     assert [program.name for program in PROGRAMS if not program.expected] == []
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
+def test_minipov(program: Program, tmp_path: Path) -> None:
+    said = minipov_text.run_minipov(program.path, tmp_path, program.switches)
+    assert said.error is None, str(said.error)
+    assert said.debug == program.expected
 
 
 @pytest.mark.skipif(povray_text.PROGRAM is None, reason="POV-Ray is not installed")

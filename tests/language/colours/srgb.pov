@@ -13,5 +13,5 @@ global_settings { assumed_gamma 1 }
 #debug concat(vstr(5, C6, ",", 0, 6), "\n") // expect: 0.033105,0.214041,1.000000,0.300000,0.400000
 #declare C7 = srgb <0.02,0.04045,0.05>;
 #debug concat(vstr(5, C7, ",", 0, 6), "\n") // expect: 0.001548,0.003131,0.003936,0.000000,0.000000
-#declare C8 = srgb <1.5,-0.5,0>;
-#debug concat(vstr(5, C8, ",", 0, 6), "\n") // expect: 2.537156,-0.038700,0.000000,0.000000,0.000000
+#declare C8 = srgb <1.4,-0.5,0>;
+#debug concat(vstr(5, C8, ",", 0, 6), "\n") // expect: 2.163044,-0.038700,0.000000,0.000000,0.000000
