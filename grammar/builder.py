@@ -65,7 +65,7 @@ class Builder(Transformer[Token, Any]):
         return tree.LooseOperator(c[0].line, c[0].column, c[0].value)
 
     def dotted_key(self, c: Children) -> Any:
-        return tree.Bracket(c[0].line, c[0].column, (tree.String(c[0].line, c[0].column, c[1]),))
+        return tree.Bracket(c[0].line, c[0].column, (tree.String(c[0].line, c[0].column, str(c[1])),))
 
     def bulk(self, c: Children) -> Any:
         values, trailing_comma = c[0].value
@@ -114,10 +114,10 @@ class Builder(Transformer[Token, Any]):
         return tree.Group(c[0].line, c[0].column, _items([item(child) for child in c[1:-1]]))
 
     def member_name(self, c: Children) -> Any:
-        return str(c[0])
+        return c[0]
 
     def member(self, c: Children) -> Any:
-        return tree.Member(c[0].line, c[0].column, c[0], c[2])
+        return tree.Member(c[0].line, c[0].column, c[0], str(c[2]), c[2].line, c[2].column)
 
     def subscript(self, c: Children) -> Any:
         return tree.Subscript(c[0].line, c[0].column, c[0], c[2])
@@ -155,7 +155,8 @@ class Builder(Transformer[Token, Any]):
     # --- declarations ---
 
     def declare(self, c: Children) -> Any:
-        return tree.Declare(c[0].line, c[0].column, c[0].type == "LOCAL", (c[-2],))
+        bare = not c[0].startswith("#")
+        return tree.Declare(c[0].line, c[0].column, c[0].type == "LOCAL", (c[-2],), bare=bare)
 
     def declare_deprecated(self, c: Children) -> Any:
         once = any(isinstance(t, Token) and t.type == "ONCE" for t in c)

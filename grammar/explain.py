@@ -100,5 +100,5 @@ def _unclosed(text: str, path: str) -> SdlSyntaxError:
         return SdlSyntaxError("the file ends in the middle of a statement", path, last, 1)
     opener = stack[-1]
     closer = _TERMINAL_NAMES[_CLOSERS[opener.type]].strip("'") if opener.type in _CLOSERS else "#end"
-    message = f"'{opener}' is never closed"
+    message = f"'{opener}' is never closed: {closer} is missing"
     return SdlSyntaxError(message, path, opener.line or 0, opener.column or 0, f"add {closer} where it should end")

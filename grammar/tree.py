@@ -115,6 +115,9 @@ class Member(Node):
 
     of: Expression
     name: str
+    end_line: int = 0
+    end_column: int = 0
+    """Where the name begins."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,6 +241,8 @@ class Declare(Node):
     deprecated_once: bool = False
     deprecated_text: Expression | None = None
     optional: tuple[bool, ...] = ()
+    bare: bool = False
+    """Whether the ``#`` is missing, as in scenes of long ago."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -135,14 +135,17 @@ class Array:
                 raise SdlError(f"the elements of this array are each {kind_of(self.kind)}, not {kind_of(value)}")
         self.elements[at] = value
 
-    def fill(self, elements: list[Any], *indices: float) -> None:
+    def fill(self, elements: list[Any], optional: bool, *indices: float) -> None:
         """Assign what an initialiser lists, one list for each dimension; None stands for an element left out."""
         own = self.sizes[len(indices)] if len(indices) < len(self.sizes) else 0
         if len(elements) > own:
             raise SdlError(f"too many elements for an array of {own}")
+        if not optional and (len(elements) < own or None in elements):
+            found = sum(element is not None for element in elements)
+            raise SdlError(f"{own} elements are needed, found {found}", hint="'optional' before the braces allows gaps")
         for number, element in enumerate(elements):
             if isinstance(element, list):
-                self.fill(element, *indices, number)
+                self.fill(element, optional, *indices, number)
             elif element is not None:
                 self.assign(element, *indices, number)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from minipov.interpreter.context import current_context
+from minipov.interpreter.errors import SdlError
 from minipov.interpreter.values import widened
 from minipov.tracer.settings import Gamma
 from minipov.tracer.values import Rgbft
@@ -61,7 +62,8 @@ def _modelled(reader: ItemReader, model: str) -> list[float]:
     if model.startswith("s"):
         context = current_context()
         if not context.scene.gamma_was_set:
-            reader.fail("a number", "'srgb' needs 'assumed_gamma' in global_settings before it")
+            hint = "add global_settings { assumed_gamma 1 } at the top"
+            raise SdlError(f"'{model}' needs an assumed_gamma before it", place, hint)
         color[:3] = [from_srgb(component, context.scene.settings.assumed_gamma) for component in color[:3]]
     return color
 

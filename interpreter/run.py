@@ -72,6 +72,8 @@ def _read(name: str, content: bytes, context: Context, search: FileSearch) -> Sc
         raise explained(error, running.sources) from None
     finally:
         running.files.close_all()
+    if not context.version_was_set:
+        context.messages.warn("there is no #version directive: an old version is assumed", (name, 1, 1))
     return finished(context)
 
 

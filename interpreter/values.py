@@ -159,8 +159,10 @@ _FIVE_SINGLES = Struct("5f")
 
 def stored(value: Any) -> Any:
     """What a variable keeps of a value: colours are held in single precision."""
-    if value.__class__ is not Vector or len(value) != 5:
+    if value.__class__ is not Vector or len(value) < 5:
         return value
+    if len(value) > 5:
+        raise TypeError(f"a vector has at most five terms, found {len(value)}")
     try:
         return _new(Vector, _FIVE_SINGLES.unpack(_FIVE_SINGLES.pack(*value)))
     except OverflowError:
@@ -172,7 +174,7 @@ def kind_of(value: Any) -> str:
     if isinstance(value, float | int):
         return "a number"
     if isinstance(value, Vector):
-        return "a vector" if len(value) < 5 else "a colour"
+        return "a vector" if len(value) < 5 else "a colour" if len(value) == 5 else f"{len(value)} numbers"
     if isinstance(value, str):
         return "a string"
     name = getattr(type(value), "sdl_kind", "") or type(value).__name__.lower()

@@ -18,12 +18,13 @@ class ArrayLiterals(Items):
         word = items[at]
         assert isinstance(word, tree.Keyword)
         at += 1
-        mixed = False
+        mixed = optional = False
         sizes: list[ast.expr] = []
         while at < len(items):
             item = items[at]
             if isinstance(item, tree.Keyword) and item.name in ("mixed", "optional"):
                 mixed = mixed or item.name == "mixed"
+                optional = optional or item.name == "optional"
             elif isinstance(item, tree.Bracket) and len(item.items) == 1 and isinstance(item.items[0], EXPRESSIONS):
                 sizes.append(self.value(item.items[0]))
             else:
@@ -34,7 +35,8 @@ class ArrayLiterals(Items):
         if isinstance(block, tree.Block):
             content = self._elements(block)
             self.emit.at(word)
-            return self.emit.call("filled_array", self.emit.tuple(sizes), self.emit.constant(mixed), content), at + 1
+            flags = self.emit.constant(mixed), self.emit.constant(optional)
+            return self.emit.call("filled_array", self.emit.tuple(sizes), *flags, content), at + 1
         return self.emit.call("array", self.emit.tuple(sizes), self.emit.constant(mixed)), at
 
     def _elements(self, block: tree.Block) -> ast.expr:

@@ -24,6 +24,8 @@ class Declarations(ArrayLiterals):
         """``#declare X =`` with the value after it; gives the index after that."""
         node = items[at]
         assert isinstance(node, tree.Declare)
+        if node.bare:
+            self.do("obsolete", self.emit.constant("declare"), self.emit.constant("#declare"))
         end = value_extent(items, at + 1)
         if end is None or node.form:
             return self._pending(node, items, at)
@@ -93,7 +95,7 @@ class Declarations(ArrayLiterals):
     def _assign_fixed(self, node: tree.Declare, value: ast.expr) -> None:
         target = node.targets[0]
         if isinstance(target, tree.Name) and not (node.local and target.name in self.local_names):
-            self.emit.at(node)
+            self.emit.at(target)
             self.add(self.emit.do(self.emit.call(self.emit.attribute(self.symbol(target.name), "fix"), value)))
         else:
             self.assign(target, value, node, local=node.local, fixed=True)
@@ -106,19 +108,24 @@ class Declarations(ArrayLiterals):
         if isinstance(target, tree.Subscript | tree.Member):
             name = self.kept(value)
             container, indices = self.element(target)
-            self.emit.at(node)
+            self.emit.at(target)
             method = self.emit.attribute(container, "assign")
             self.add(self.emit.do(self.emit.call(method, self.emit.name(name), *indices)))
         elif isinstance(target, tree.Scoped):
             self.add(self.emit.set(self.scoped_cell(target), "v", value))
         elif not isinstance(target, tree.Name):
-            self.add(
-                self.emit.do(self.emit.call("fail", self.emit.constant("expected a name"), self.emit.constant(None)))
-            )
+            self.do("fail", *self._reserved(target or node))
         elif local and target.name in self.local_names:
             self._assign_local(target.name, value, fixed)
         else:
             self.add(self.emit.set(self.cell(target.name), "v", value))
+
+    def _reserved(self, target: tree.Node) -> tuple[ast.expr, ast.expr]:
+        """Message and hint for a declaration of what is no name."""
+        self.emit.at(target)
+        name = target.name if isinstance(target, tree.ConstantWord) else ""
+        message = f"'{name}' is a reserved word and cannot be declared" if name else "expected a name"
+        return self.emit.constant(message), self.emit.constant(f"'{name.capitalize()}' would do" if name else None)
 
     def _assign_local(self, name: str, value: ast.expr, fixed: bool) -> None:
         kept = self.emit.name(self.kept(value))
@@ -143,6 +150,7 @@ class Declarations(ArrayLiterals):
             erase = self.emit.attribute(container, "erase")
             self.add(self.emit.do(self.emit.call(erase, *indices)))
         elif isinstance(target, tree.Name) and target.name not in self.parameters:
+            self.emit.at(target)
             self.do("undefine", self.symbol(target.name))
 
     def enter_scope(self) -> None:

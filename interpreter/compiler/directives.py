@@ -135,7 +135,7 @@ class Directives(Declarations):
         else:
             limit = self.emit.name(self.kept(end))
             given = self.emit.constant(known) if node.step is None or known is not None else self.value(node.step)
-            step = self.emit.name(self.kept(self.emit.at(node).call("loop_step", given)))
+            step = self.emit.name(self.kept(self.emit.at(node.step or node).call("loop_step", given)))
             test = self.emit.call("loop_goes_on", self._loop_value(node), limit, step)
         self.assign(name, self.emit.name(start), node, local=True)
         with self.block() as body:
@@ -169,7 +169,7 @@ class Directives(Declarations):
                 if stream in ("render", "statistics"):
                     self.do("obsolete", self.emit.constant(f"#{stream}"), self.emit.constant("#debug"))
             case tree.Version(value=value):
-                self._told("set_version", value, node)
+                self._told("set_version", value, value)
             case tree.Obsolete(name=name, value=value):
                 given = self.value(value)
                 self.emit.at(node)
@@ -178,8 +178,8 @@ class Directives(Declarations):
                 self.block_items("#default", block, node)
             case tree.FileOpen(name=name, file=file, mode=mode):
                 path = self.file_name(file)
-                self.emit.at(node)
-                self.do("open_file", self.symbol(name), path, self.emit.constant(mode))
+                self.emit.at(file)
+                self.do("open_file", self.symbol(name), path, self.emit.constant(mode), self.place(node))
             case tree.FileClose(name=name):
                 self.do("close_file", self.symbol(name))
             case tree.FileRead():
@@ -199,12 +199,12 @@ class Directives(Declarations):
 
     def _file_call(self, function: str, file: tree.Expression, node: tree.Node) -> None:
         value = self.file_name(file)
-        self.emit.at(node)
-        self.do(function, value, self.place(node))
+        self.emit.at(file)
+        self.do(function, value, self.place(file))
 
     def _told(self, function: str, argument: tree.Expression, node: tree.Node) -> None:
         value = self.value(argument)
-        self.emit.at(node)
+        self.emit.at(argument)
         self.do(function, value, self.place(node))
 
     def _read(self, node: tree.FileRead) -> None:

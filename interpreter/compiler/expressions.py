@@ -140,14 +140,14 @@ class Expressions(Body):
 
     def _member(self, node: tree.Member) -> ast.expr:
         of = self.expression(node.of)
-        self.emit.at(node)
+        self.emit.move(node.end_line, node.end_column)
         if node.name in COMPONENTS or node.name == "gray":
             return self.emit.attribute(of, node.name)
-        return self.emit.call("subscript", of, self.emit.constant(node.name))
+        return self.emit.call("member", of, self.emit.constant(node.name))
 
     def _subscript(self, node: tree.Subscript) -> ast.expr:
         container, indices = self.element(node)
-        self.emit.at(node)
+        self.emit.at(node.index)
         return self.emit.call(self.emit.attribute(container, "fetch"), *indices)
 
     def element(self, node: tree.Subscript | tree.Member) -> tuple[ast.expr, list[ast.expr]]:

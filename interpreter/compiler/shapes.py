@@ -21,7 +21,8 @@ CONSTANT_WORDS: Final[dict[str, Any]] = {
 ARITHMETIC: Final = frozenset("+-*/")
 EXPRESSIONS: Final = (
     tree.Number, tree.String, tree.Name, tree.Scoped, tree.ConstantWord, tree.Vector, tree.Unary, tree.Binary,
-    tree.Conditional, tree.Paren, tree.Group, tree.Member, tree.Subscript, tree.Call, tree.BuiltinCall, tree.FunctionLiteral,
+    tree.Conditional, tree.Paren, tree.Group, tree.Member, tree.Subscript, tree.Call, tree.BuiltinCall,
+    tree.FunctionLiteral,
 )  # fmt: skip
 DIRECTIVES: Final = (
     tree.Declare, tree.Undef, tree.Include, tree.If, tree.Switch, tree.While, tree.For, tree.Break, tree.Macro,

@@ -82,8 +82,9 @@ def _indexed(
 
 
 def _check(indices: NDArray[np.int32], count: int, what: str, reader: ItemReader, least: int = 0) -> None:
-    if indices.size and (indices.min() < least or indices.max() >= count):
-        raise SdlError(f"mesh2: {what} must be {least} to {count - 1}", reader.place)
+    wrong = indices[(indices < least) | (indices >= count)]
+    if wrong.size:
+        raise SdlError(f"mesh2: {what} must be {least} to {count - 1}, found {wrong.flat[0]}", reader.place)
 
 
 def _vectors(name: str, size: int, doc: str, within: tuple[str, ...] = ("mesh2",)) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from difflib import get_close_matches
 from typing import Any, NoReturn
 
 from minipov.interpreter.arrays import Array, Dictionary, subscript
@@ -14,7 +15,7 @@ from minipov.interpreter.runtime.macros import MISSING, Macro
 from minipov.interpreter.runtime.names import Cell, ElementCell, Symbol
 from minipov.interpreter.runtime.rvalues import rvalue
 from minipov.interpreter.runtime.splice import Spliced, items_of, joined
-from minipov.interpreter.values import Vector, kind_of
+from minipov.interpreter.values import COMPONENTS, Vector, kind_of
 
 
 def fail(message: str, hint: str | None = None) -> NoReturn:
@@ -38,6 +39,15 @@ def element(container: Any, indices: tuple[Any, ...]) -> Any:
     if not isinstance(container, Array | Dictionary):
         subscript(container, *indices)
     return ElementCell(container, indices)
+
+
+def member(of: Any, name: str) -> Any:
+    """``D.name``, where the name is no vector component."""
+    if isinstance(of, Dictionary):
+        return of.get_item(name)
+    close = get_close_matches(name, [*COMPONENTS, "gray"], 1)
+    hint = f"did you mean '{close[0]}'?" if close else "components are x y z t u v red green blue filter transmit gray"
+    raise SdlError(f"{kind_of(of)} has no component '{name}'", hint=hint)
 
 
 def holds(symbol: Symbol, indices: tuple[Any, ...]) -> bool:
@@ -132,4 +142,7 @@ def gathered_vector(sink: Sink) -> Vector:
 
 def gathered_value(sink: Sink) -> Any:
     """``( ... )`` with directives among the terms."""
-    return Spliced(sink.items).value()
+    items = Spliced(sink.items).items()
+    if len(items) != 1:
+        raise SdlError(f"expected one value in these parentheses, found {len(items) or 'none'}")
+    return items[0]

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import dis
 import re
 from collections.abc import Mapping
 
 from minipov.interpreter.errors import NOWHERE, SdlError
-from minipov.interpreter.runtime.places import call_stack, trace
+from minipov.interpreter.runtime.places import call_stack, is_scene, trace
 from minipov.interpreter.values import COMPONENTS
 
 _STACK_SHOWN = 12
@@ -23,12 +24,26 @@ def explained(error: Exception, sources: Mapping[str, str]) -> SdlError:
         if not frames:
             raise error
         message, hint = _in_words(error)
+        if isinstance(error, IndexError):
+            message = f"the vector is too short for its component '{_attribute_at(error)}'"
         error = SdlError(message, hint=hint)
     if frames and error.place == NOWHERE:
         error.place = frames[0][1]
     stack = call_stack(frames)
     error.stack = stack if len(stack) <= _STACK_SHOWN else (*stack[:_STACK_SHOWN], ("...", NOWHERE))
     return error
+
+
+def _attribute_at(error: Exception) -> str:
+    """The attribute that was being read in the innermost scene code."""
+    traceback, name = error.__traceback__, ""
+    while traceback is not None:
+        if is_scene(traceback.tb_frame):
+            instructions = dis.get_instructions(traceback.tb_frame.f_code)
+            at = traceback.tb_lasti
+            name = next((str(step.argval) for step in instructions if step.offset == at), "")
+        traceback = traceback.tb_next
+    return name
 
 
 _ATTRIBUTE = re.compile(r"'(\w+)' object has no attribute '(\w+)'")
@@ -52,7 +67,7 @@ def _in_words(error: Exception) -> tuple[str, str | None]:
     """What went wrong, in SDL's terms."""
     text = str(error)
     if isinstance(error, RecursionError):
-        return "calls are nested too deeply", "a macro that calls itself must stop at some point"
+        return "endless recursion: calls are nested too deeply", "a macro that calls itself must stop at some point"
     if isinstance(error, MemoryError):
         return "the scene needs more memory than there is", None
     if isinstance(error, OverflowError):

@@ -18,7 +18,7 @@ from minipov.tracer import function
 
 _PLAIN: dict[str, Any] = {
     **{name: getattr(calls, name) for name in (
-        "fail", "call", "call_with", "element", "holds", "call_gathered", "call_spread", "builtin_spread",
+        "fail", "call", "call_with", "member", "element", "holds", "call_gathered", "call_spread", "builtin_spread",
         "builtin_gathered", "rvalue_of", "rvalue_in", "values_in_call", "vector", "spliced_vector", "gathered_vector",
         "gathered_value",
     )},
@@ -82,10 +82,10 @@ def array(sizes: tuple[Any, ...], mixed: bool) -> Array:
     return Array(tuple(map(int, sizes)), mixed=mixed)
 
 
-def filled_array(sizes: tuple[Any, ...], mixed: bool, elements: list[Any]) -> Array:
+def filled_array(sizes: tuple[Any, ...], mixed: bool, optional: bool, elements: list[Any]) -> Array:
     """``array[n][m] { {...}, ... }``; without sizes, as large as its elements."""
     new = array(sizes or _sizes(elements), mixed)
-    new.fill(elements)
+    new.fill(elements, optional)
     return new
 
 

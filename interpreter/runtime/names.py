@@ -17,6 +17,7 @@ from minipov.interpreter.context import current_context
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.runtime.places import current_place
 from minipov.interpreter.values import kind_of
+from minipov.tracer.function import Function
 
 
 class Cell:
@@ -46,7 +47,8 @@ class FixedCell:
 
     @v.setter
     def v(self, value: Any) -> None:
-        raise SdlError(f"'{self.name}' is {kind_of(self.value)} and cannot be declared anew", hint="use #undef first")
+        kind = "a function" if isinstance(self.value, Function) else kind_of(self.value)
+        raise SdlError(f"'{self.name}' is {kind} and cannot be declared anew", hint="use #undef first")
 
 
 class DeprecatedCell:
@@ -149,6 +151,8 @@ class Symbol:
 
     def undefine(self) -> None:
         """Forget the innermost meaning."""
+        if not self.declared:
+            current_context().messages.warn(f"'{self.name}' is not declared, nothing to undefine", current_place())
         self.c = self.c.outer or self.undeclared
 
 

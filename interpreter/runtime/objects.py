@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from minipov.interpreter.arrays import Array
+from minipov.interpreter.constructs.csg import has_inside
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.runtime.signature import builtin
 from minipov.interpreter.values import Vector, kind_of, vector3
@@ -56,6 +57,8 @@ def _array(value: Any) -> Array:
 @builtin("inside", 2)
 def inside(thing: Any, point: Any) -> float:
     """Whether a point is inside an object."""
+    if isinstance(thing, Object) and not has_inside(thing):
+        raise SdlError("patch objects have no inside", hint="meshes have one with an inside_vector")
     return float(_question(thing).inside(tuple(vector3(point))))
 
 

@@ -71,7 +71,7 @@ class Running:
         """``#include "file"``."""
         path = self.search.find(text(file), INCLUDE_EXTENSIONS)
         if path is None:
-            raise SdlError(f"cannot find the file '{file}'", place, hint=self._searched(file))
+            raise SdlError(f"cannot find the file '{file}'", place, hint=self.search.hint(file))
         self.depth += 1
         if self.depth > MOST_INCLUDES:
             raise SdlError(f"files include each other {MOST_INCLUDES} deep", place)
@@ -83,10 +83,6 @@ class Running:
         self.run(str(path), content)
         self.search.beside.pop()
         self.depth -= 1
-
-    def _searched(self, file: str) -> str:
-        folders = ["the working directory", "the folder of the scene", *map(str, self.search.library_paths)]
-        return f"looked in {', '.join(folders)}"
 
     # --- messages ---
 
@@ -157,10 +153,10 @@ class Running:
 
     # --- data files ---
 
-    def open_file(self, symbol: Symbol, name: Any, mode: str) -> None:
+    def open_file(self, symbol: Symbol, name: Any, mode: str, place: Place) -> None:
         """``#fopen``."""
         if symbol.declared:
-            raise SdlError(f"'{symbol.name}' is declared already", hint="the name of a file handle must be new")
+            raise SdlError(f"'{symbol.name}' is declared already", place, "the name of a file handle must be new")
         symbol.fix(self.files.open(name, mode, self.search.read))
 
     def close_file(self, symbol: Symbol) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 
 INCLUDE_EXTENSIONS = (".inc", ".INC", ".pov", ".POV")
@@ -35,6 +36,15 @@ class FileSearch:
                 except (OSError, ValueError):
                     continue
         return None
+
+    def hint(self, name: str) -> str:
+        """What was probably meant by a name that is not found, or else where it was looked for."""
+        there = {entry.name for folder in self._folders(Path(name)) if folder.is_dir() for entry in folder.iterdir()}
+        close = get_close_matches(Path(name).name, sorted(there), 1, 0.75)
+        if close:
+            return f"did you mean '{close[0]}'?"
+        folders = ["the working directory", "the folder of the scene", *map(str, self.library_paths)]
+        return f"looked in {', '.join(folders)}"
 
     def read(self, path: Path) -> bytes:
         """A file's content.

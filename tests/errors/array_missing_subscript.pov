@@ -1,5 +1,5 @@
 // A row of an array of two dimensions used alone
-// error: 5:14
+// error: 5:16
 #version 3.7;
 #declare A = array[2][2] { { 1, 2 }, { 3, 4 } }
 #declare B = A[1] + 1;

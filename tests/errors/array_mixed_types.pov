@@ -1,5 +1,5 @@
 // Elements of different types
-// error: 6:17
+// error: 6:10
 #version 3.7;
 #declare A = array[2];
 #declare A[0] = 1;

@@ -1,4 +1,4 @@
 // An array of no elements
-// error: 4:20
+// error: 4:14
 #version 3.7;
 #declare A = array[0];

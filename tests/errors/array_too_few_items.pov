@@ -1,4 +1,4 @@
 // Fewer items than the array has places
-// error: 4:30
+// error: 4:14
 #version 3.7;
 #declare A = array[3] { 1, 2 }

@@ -1,5 +1,5 @@
 // An element that was never set
-// error: 6:14
+// error: 6:16
 #version 3.7;
 #declare A = array[3];
 #declare A[0] = 1;

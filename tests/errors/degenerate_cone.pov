@@ -1,4 +1,4 @@
 // A cone of no length
-// error: 4:1 cone
+// error: 4:8 cone
 #version 3.7;
 cone { y, 1, y, 0.5 }

@@ -1,4 +1,4 @@
 // A cylinder of no length
-// error: 4:1 cylinder
+// error: 4:12 cylinder
 #version 3.7;
 cylinder { y, y, 1 }

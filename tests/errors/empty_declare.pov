@@ -1,4 +1,4 @@
 // A declaration of nothing
-// error: 4:14
+// error: 4:1
 #version 3.7;
 #declare A = ;

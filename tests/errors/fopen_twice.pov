@@ -1,5 +1,5 @@
 // A handle opened twice
-// error: 5:8 'In'
+// error: 5:1 'In'
 #version 3.7;
 #fopen In "numbers.txt" read
 #fopen In "numbers.txt" read

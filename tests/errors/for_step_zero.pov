@@ -1,4 +1,4 @@
 // #for with a step of zero
-// error: 4:7 step
+// error: 4:16 step
 #version 3.7;
 #for (I, 1, 5, 0) #end

@@ -1,4 +1,4 @@
 // A matrix of eleven numbers
-// error: 4:54
+// error: 4:22
 #version 3.7;
 sphere { 0, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0> }

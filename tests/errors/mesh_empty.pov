@@ -1,4 +1,4 @@
 // A mesh without triangles
-// error: 4:1 mesh
+// error: 4:8 mesh
 #version 3.7;
 mesh { }

@@ -1,4 +1,4 @@
 // An object that is no solid in an intersection warns
-// warning: 4:29 intersection
+// warning: 4:16 intersection
 #version 3.7;
 intersection { box { 0, 1 } triangle { 0, x, y } }

@@ -1,4 +1,4 @@
 // A plane without a direction
-// error: 4:1
+// error: 4:9
 #version 3.7;
 plane { 0, 1 }

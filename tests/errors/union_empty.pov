@@ -1,4 +1,4 @@
 // A union of nothing only warns
-// warning: 4:1 union
+// warning: 4:9 union
 #version 3.7;
 union { }

@@ -1,5 +1,5 @@
 // A user function with the wrong number of arguments
-// error: 5:17 2
+// error: 5:14 2
 #version 3.7;
 #declare F = function(a, b) { a + b }
 #declare A = F(1);

@@ -1,4 +1,4 @@
 // A vector of one component
-// error: 4:16
+// error: 4:14
 #version 3.7;
 #declare V = <1>;

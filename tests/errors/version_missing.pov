@@ -1,3 +1,3 @@
 // A scene without #version only warns
-// warning: 3:1 #version
+// warning: 1:1 #version
 sphere { 0, 1 }

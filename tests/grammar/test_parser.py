@@ -53,8 +53,8 @@ CASES = {
     "A[1][2].x": "(Member (Subscript (Subscript A 1) 2) 'x')",
     "[0 rgb 1]": "(Bracket [0 :rgb 1])",
     "sphere{0,1}": ":sphere (Block [0 , 1])",
-    "#declare A = 1;": "(Declare False [A] '' False False None []) 1 ;",
-    "#  local\tA[0] = B": "(Declare True [(Subscript A 0)] '' False False None []) B",
+    "#declare A = 1;": "(Declare False [A] '' False False None [] False) 1 ;",
+    "#  local\tA[0] = B": "(Declare True [(Subscript A 0)] '' False False None [] False) B",
     "#if(1) a #elseif(2) b #else c #end": "(If [(Branch 1 [a] None) (Branch 2 [b] None)] [c])",
     "#ifndef(A) #end": "(If [(Branch A [] False)] None)",
     "#switch(1) #case(2) a #break #range(3,4) b #else c #end": (
@@ -75,8 +75,8 @@ CASES = {
     "#write(F,1,uint8 2)": "(FileWrite 'F' [, 1 , :uint8 2])",
     "#read(F,A,B[1])": "(FileRead 'F' [A (Subscript B 1)])",
     '#fopen F "a" write': "(FileOpen 'F' (String 'a') 'write')",
-    "declare A = 1": "(Declare False [A] '' False False None []) 1",
-    '#declare deprecated once "t" A = 1': "(Declare False [A] '' True True (String 't') []) 1",
+    "declare A = 1": "(Declare False [A] '' False False None [] True) 1",
+    '#declare deprecated once "t" A = 1': "(Declare False [A] '' True True (String 't') [] False) 1",
 }
 
 
