@@ -49,5 +49,7 @@ class Normal:
     no_bump_scale: bool = False
 
     def transformed(self, transform: Transform) -> Normal:
-        """The same normal, moved."""
-        return self if transform is IDENTITY else replace(self, modifiers=self.modifiers.transformed(transform))
+        """The same normal, moved; one that lies on surface coordinates stays there."""
+        if transform is IDENTITY or self.modifiers.uv_mapping:
+            return self
+        return replace(self, modifiers=self.modifiers.transformed(transform))

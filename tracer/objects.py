@@ -147,14 +147,15 @@ class Object:
     source: str = ""
 
     def transformed(self, transform: Transform) -> Object:
-        """The same object with everything that it wears, moved."""
+        """The same object with everything that it wears, moved. Textures that lie on surface coordinates stay there."""
         if transform is IDENTITY:
             return self
+        worn = IDENTITY if self.modifiers.uv_mapping else transform
         return Object(
             self.shape,
             self.transform.then(transform),
-            self.texture and self.texture.transformed(transform),
-            self.interior_texture and self.interior_texture.transformed(transform),
+            self.texture and self.texture.transformed(worn),
+            self.interior_texture and self.interior_texture.transformed(worn),
             self.interior and self.interior.transformed(transform),
             self.modifiers.transformed(transform),
             self.source,

@@ -112,10 +112,14 @@ class DensityFile:
 
 @dataclass(frozen=True, slots=True)
 class Facets:
-    """``facets coords F`` or ``facets size F`` (normals only); exactly one is set."""
+    """``facets size F metric F`` or ``facets coords F size F`` (normals only).
 
-    coords: float | None = None
-    size: float | None = None
+    ``coords`` 0 cuts the directions of normals into pieces, else space, and is how far pieces are turned.
+    """
+
+    coords: float = 0.0
+    size: float = 0.1
+    metric: float = 2.0
 
 
 @dataclass(frozen=True, slots=True)

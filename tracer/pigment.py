@@ -61,7 +61,8 @@ class Pigment:
     quick_color: Rgbft | None = None
 
     def transformed(self, transform: Transform) -> Pigment:
-        """The same pigment, moved."""
-        if transform is IDENTITY or (self.pattern is None and self.blend is None):
+        """The same pigment, moved; one that lies on surface coordinates stays there."""
+        plain = self.pattern is None and self.blend is None
+        if transform is IDENTITY or plain or self.modifiers.uv_mapping:
             return self
         return replace(self, modifiers=self.modifiers.transformed(transform))

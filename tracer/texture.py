@@ -64,7 +64,9 @@ class PatternTexture:
     modifiers: PatternModifiers = PLAIN
 
     def transformed(self, transform: Transform) -> PatternTexture:
-        """The same texture, moved."""
+        """The same texture, moved; one that lies on surface coordinates stays there."""
+        if self.modifiers.uv_mapping:
+            return self
         return replace(self, modifiers=self.modifiers.transformed(transform))
 
 
@@ -77,7 +79,9 @@ class MaterialMap:
     modifiers: PatternModifiers = PLAIN
 
     def transformed(self, transform: Transform) -> MaterialMap:
-        """The same texture, moved."""
+        """The same texture, moved; one that lies on surface coordinates stays there."""
+        if self.modifiers.uv_mapping:
+            return self
         return replace(self, modifiers=self.modifiers.transformed(transform))
 
 

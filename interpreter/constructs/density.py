@@ -10,9 +10,9 @@ from minipov.interpreter.constructs.maps import read_entries
 from minipov.interpreter.constructs.pattern_modifiers import (
     PARAMETERS,
     PATTERN_MODIFIERS,
+    read_named,
     read_pattern_modifier,
     read_pattern_parameter,
-    uv_mapped,
 )
 from minipov.interpreter.constructs.patterns import (
     PATTERN_WORDS,
@@ -42,7 +42,7 @@ ACCEPTS: Final = (
 
 def read_density_body(reader: ItemReader, context: Context) -> Density:
     """A density, up to the first item that belongs to none."""
-    density = _read_kind(reader, context, uv_mapped(reader, reader.node(Density) or Density()))
+    density = _read_kind(reader, context, read_named(reader, Density, Density()))
     while not reader.at_end:
         modifiers = read_pattern_modifier(reader, context, density.modifiers)
         if modifiers is not None:

@@ -11,9 +11,9 @@ from minipov.interpreter.constructs.maps import read_entries
 from minipov.interpreter.constructs.pattern_modifiers import (
     PARAMETERS,
     PATTERN_MODIFIERS,
+    read_named,
     read_pattern_modifier,
     read_pattern_parameter,
-    uv_mapped,
 )
 from minipov.interpreter.constructs.patterns import (
     PATTERN_WORDS,
@@ -58,7 +58,7 @@ def read_normal(reader: ItemReader, context: Context, base: Normal) -> Normal:
 
 def read_normal_body(reader: ItemReader, context: Context, base: Normal) -> Normal:
     """As `read_normal`, up to the first item that belongs to no normal."""
-    normal = _read_kind(reader, context, uv_mapped(reader, reader.node(Normal) or base))
+    normal = _read_kind(reader, context, read_named(reader, Normal, base))
     while not reader.at_end:
         changed = _modified(reader, context, normal)
         if changed is None:

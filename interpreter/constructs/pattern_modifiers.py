@@ -50,11 +50,11 @@ _FIELDS: Final[dict[str, Callable[[ItemReader], dict[str, Any]]]] = {
 PATTERN_MODIFIERS: Final = (*_FIELDS, *WAVES, *TURBULENCE_FIELDS, *TRANSFORM_WORDS, "warp")
 
 
-def uv_mapped(reader: ItemReader, node: Mapped) -> Mapped:
-    """``node`` with ``uv_mapping`` where that comes next: it may stand before the pattern."""
-    if not reader.word("uv_mapping"):
-        return node
-    return replace(node, modifiers=replace(node.modifiers, uv_mapping=True))
+def read_named(reader: ItemReader, kind: type[Mapped], base: Mapped) -> Mapped:
+    """The identifier that a block may begin with, or ``base``; ``uv_mapping`` may stand before either."""
+    uv_mapping = reader.word("uv_mapping")
+    node = reader.node(kind) or base
+    return replace(node, modifiers=replace(node.modifiers, uv_mapping=True)) if uv_mapping else node
 
 
 def read_pattern_modifier(reader: ItemReader, context: Context, modifiers: PatternModifiers) -> PatternModifiers | None:
@@ -89,7 +89,7 @@ PARAMETERS: Final[dict[str, dict[type[Pattern], Callable[[ItemReader], Any]]]] =
     "brick_size": {Brick: ItemReader.vector},
     "mortar": {Brick: ItemReader.float},
     "form": {Crackle: ItemReader.vector, Pavement: ItemReader.integer},
-    "metric": {Crackle: ItemReader.float},
+    "metric": {Crackle: ItemReader.float, Facets: ItemReader.float},
     "offset": {Crackle: ItemReader.float},
     "solid": {Crackle: lambda reader: True},
     "repeat": {Crackle: ItemReader.vector},

@@ -11,9 +11,9 @@ from minipov.interpreter.constructs.maps import read_blend, read_entries
 from minipov.interpreter.constructs.pattern_modifiers import (
     PARAMETERS,
     PATTERN_MODIFIERS,
+    read_named,
     read_pattern_modifier,
     read_pattern_parameter,
-    uv_mapped,
 )
 from minipov.interpreter.constructs.patterns import (
     FUNCTION_TYPES,
@@ -72,7 +72,7 @@ def read_pigment(reader: ItemReader, context: Context, base: Pigment) -> Pigment
 
 def read_pigment_body(reader: ItemReader, context: Context, base: Pigment) -> Pigment:
     """As `read_pigment`, up to the first item that belongs to no pigment."""
-    pigment = _read_kind(reader, context, uv_mapped(reader, reader.node(Pigment) or base))
+    pigment = _read_kind(reader, context, read_named(reader, Pigment, base))
     while not reader.at_end:
         changed = _modified(reader, context, pigment)
         if changed is None:

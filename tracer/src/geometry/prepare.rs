@@ -284,8 +284,10 @@ impl<'a> Preparation<'a> {
     fn looks(&mut self, object: &Object, around: &Surroundings) -> Looks {
         let (own, given) = (&object.modifiers, &around.looks);
         let space = &around.space;
+        // Textures on surface coordinates do not move with a union around the object.
+        let texture_space = if own.uv_mapping { &None } else { space };
         let texture = |list: &mut Vec<Worn<graph::Texture>>, index: &mut _, item: &Option<Shared<_>>| {
-            item.as_ref().map(|item| find_or_add(list, index, item, space))
+            item.as_ref().map(|item| find_or_add(list, index, item, texture_space))
         };
         let textures = &mut self.geometry.textures;
         let own_texture = texture(textures, &mut self.texture_index, &object.texture);

@@ -105,8 +105,9 @@ pub struct DensityFile {
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "python", derive(pyo3::FromPyObject))]
 pub struct Facets {
-    pub coords: Option<f64>,
-    pub size: Option<f64>,
+    pub coords: f64,
+    pub size: f64,
+    pub metric: f64,
 }
 
 #[derive(Clone, Debug)]

@@ -104,6 +104,13 @@ impl Transform {
         vec3(m[0].dot(n), m[1].dot(n), m[2].dot(n))
     }
 
+    /// Where a surface normal came from, not normalised.
+    #[inline]
+    pub fn inverse_normal(&self, n: Vec3) -> Vec3 {
+        let m = &self.rows;
+        vec3(m[0].dot(n), m[1].dot(n), m[2].dot(n))
+    }
+
     /// A ray carried back; its parameter `t` keeps its meaning.
     #[inline]
     pub fn inverse_ray(&self, r: &Ray) -> Ray {

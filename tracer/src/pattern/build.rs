@@ -1,6 +1,8 @@
 //! From the scene graph's patterns to those that are evaluated.
 
-use super::{Brick, Crackle, Modifiers, Pattern, PatternKind, Slope, TurbulenceModifier, Wave, Waveform};
+use super::{
+    Brick, Crackle, Facets, Modifiers, Pattern, PatternKind, Slope, TurbulenceModifier, Wave, Waveform,
+};
 use crate::graph::pattern as graph;
 use crate::graph::pattern::{SimpleKind, WaveKind};
 use crate::noise::NoiseGenerator;
@@ -70,8 +72,12 @@ impl Builder {
                 _ => PatternKind::Spiral2 { arms: spiral.arms as f64 },
             },
             graph::Pattern::DensityFile(_) => return self.no_pattern("density_file"),
-            graph::Pattern::Facets(_) => return self.no_pattern("facets"),
             graph::Pattern::Function(pattern) => PatternKind::Function(self.function(&pattern.function)?),
+            graph::Pattern::Facets(facets) => PatternKind::Facets(Facets {
+                coords: single(facets.coords),
+                size: single(facets.size),
+                metric: single(facets.metric),
+            }),
             graph::Pattern::ImageMap(_) => return self.no_pattern("image_map"),
             graph::Pattern::ImagePattern(_) => return self.no_pattern("image_pattern"),
             graph::Pattern::Fractal(_) => return self.no_pattern("fractal pattern"),

@@ -26,3 +26,14 @@ pub(crate) fn point_in_cube(x: i64, y: i64, z: i64) -> Vec3 {
     let f = &FRACTIONS[start..start + 3];
     vec3(x as f64 + f[0], y as f64 + f[1], z as f64 + f[2])
 }
+
+/// The random points of the unit cube around `p` and of its neighbours, but for those two steps away along more than
+/// one axis.
+pub(crate) fn cubes_around(p: Vec3) -> impl Iterator<Item = Vec3> {
+    let c = p.map(|v| (v - TOLERANCE).floor());
+    let (x, y, z) = (c.x as i64, c.y as i64, c.z as i64);
+    let steps = (0..125_i64).map(|i| (i / 25 - 2, i / 5 % 5 - 2, i % 5 - 2));
+    let far = |step: i64| usize::from(step.abs() == 2);
+    let near = steps.filter(move |&(dx, dy, dz)| far(dx) + far(dy) + far(dz) <= 1);
+    near.map(move |(dx, dy, dz)| point_in_cube(x + dx, y + dy, z + dz))
+}

@@ -1,7 +1,7 @@
 //! The patterns by kind, and what each says about itself.
 
 use super::{blocks, cells, noisy, shells, spirals, surface};
-use super::{Brick, Crackle, Modifiers, Slope, SurfaceContext, Wave, WaveSources};
+use super::{Brick, Crackle, Facets, Modifiers, Slope, SurfaceContext, Wave, WaveSources};
 use crate::function::Function;
 use crate::math::Vec3;
 
@@ -26,6 +26,8 @@ pub enum PatternKind {
     Cylindrical,
     Dents,
     Function(Function),
+    /// For normals only.
+    Facets(Facets),
     /// The direction, of length one.
     Gradient(Vec3),
     Granite,
@@ -64,7 +66,7 @@ impl PatternKind {
         match self {
             PatternKind::Agate { agate_turb } => noisy::agate(p, *agate_turb, modifiers),
             PatternKind::Aoi => surface::angle_of_incidence(surface),
-            PatternKind::Average => 0.0,
+            PatternKind::Average | PatternKind::Facets(_) => 0.0,
             PatternKind::Boxed => shells::fading(shells::chebyshev(p)),
             PatternKind::Bozo | PatternKind::Bumps | PatternKind::Spotted => generator.noise(p),
             PatternKind::Brick(brick) => brick.value(p),

@@ -6,6 +6,7 @@ mod blocks;
 mod build;
 mod cells;
 mod crackle;
+mod facets;
 mod kind;
 mod modifiers;
 mod noisy;
@@ -18,9 +19,11 @@ mod wave;
 pub use blocks::Brick;
 pub(crate) use cells::point_in_cube;
 pub use crackle::Crackle;
+pub use facets::Facets;
 pub use kind::PatternKind;
 pub use modifiers::{Modifiers, TurbulenceModifier};
 pub use ripples::WaveSources;
+pub(crate) use shells::quilted_bump;
 pub use surface::{Slope, SurfaceContext};
 pub use wave::{Wave, Waveform};
 
@@ -51,13 +54,25 @@ impl Pattern {
     /// The shaped value, and the point in the pattern's own space, where its inner pigments or normals are asked.
     #[inline]
     pub fn value_and_place(&self, p: Vec3, surface: &SurfaceContext) -> (f64, Vec3) {
-        let place = self.modifiers.locate(p, surface, self.kind.treats_turbulence());
+        let place = self.place(p, surface);
+        (self.value_in_place(place, surface), place)
+    }
+
+    /// The point in the pattern's own space.
+    #[inline]
+    pub fn place(&self, p: Vec3, surface: &SurfaceContext) -> Vec3 {
+        self.modifiers.locate(p, surface, self.kind.treats_turbulence())
+    }
+
+    /// The shaped value at a point of the pattern's own space.
+    #[inline]
+    pub fn value_in_place(&self, place: Vec3, surface: &SurfaceContext) -> f64 {
         let raw = self.kind.value(place, &self.modifiers, surface);
         // The numbers of blocks stay as they are, unless a frequency or phase is asked for.
         if self.kind.is_blocks() && self.modifiers.waveform.is_plain() {
-            (raw, place)
+            raw
         } else {
-            (self.modifiers.waveform.shape(raw), place)
+            self.modifiers.waveform.shape(raw)
         }
     }
 

@@ -34,6 +34,27 @@ impl WaveSources {
         WaveSources((0..count).map(source).collect())
     }
 
+    /// The direction away from each centre, by its share of what is asked for.
+    fn directions(&self, p: Vec3, height: impl Fn(f64, f64) -> f64) -> Vec3 {
+        let count = self.0.len() as f64;
+        let away = |s: &WaveSource| {
+            let way = p - s.center;
+            let distance = if way == Vec3::ZERO { 1.0 } else { way.length() };
+            way * (height(distance, s.frequency) / distance / count)
+        };
+        self.0.iter().map(away).fold(Vec3::ZERO, |sum, v| sum + v)
+    }
+
+    pub(crate) fn ripple_bump(&self, p: Vec3, waveform: &Waveform) -> Vec3 {
+        self.directions(p, |distance, _| cycloidal(distance * waveform.frequency + waveform.phase))
+    }
+
+    pub(crate) fn wave_bump(&self, p: Vec3, waveform: &Waveform) -> Vec3 {
+        self.directions(p, |distance, frequency| {
+            cycloidal(distance * frequency * waveform.frequency + waveform.phase) / frequency
+        })
+    }
+
     fn sum(&self, p: Vec3, term: impl Fn(f64, f64) -> f64) -> f64 {
         let distance = |s: &WaveSource| match (p - s.center).length() {
             0.0 => 1.0,

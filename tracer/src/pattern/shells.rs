@@ -65,8 +65,14 @@ pub(super) fn quilted(p: Vec3, control0: f64, control1: f64) -> f64 {
     size * quilt_curve(d.length(), control0, control1)
 }
 
+/// The way from the centre of the unit cube, along the same curve; of length one at the corners, nearly.
+pub(crate) fn quilted_bump(p: Vec3, control0: f64, control1: f64) -> Vec3 {
+    let d = p.map(|c| c - c.floor() - 0.5);
+    d * (quilt_curve(d.length(), control0, control1) * 2.0 / 3.0_f64.sqrt())
+}
+
 /// The cubic Bezier curve with ordinates 0, `control0`, `control1`, 1.
-pub(super) fn quilt_curve(t: f64, control0: f64, control1: f64) -> f64 {
+fn quilt_curve(t: f64, control0: f64, control1: f64) -> f64 {
     let s = 1.0 - t;
     3.0 * s * s * t * control0 + 3.0 * s * t * t * control1 + t * t * t
 }

@@ -104,7 +104,7 @@ impl Builder<'_> {
         let quick = plain.pigment.quick_color.filter(|_| self.quality.quick_colors);
         Layer {
             pigment: quick.map_or_else(|| self.patterns.pigment(&plain.pigment), Pigment::Solid),
-            normal: None,
+            normal: plain.normal.as_ref().map(|node| self.patterns.normal(node)),
             finish: Finish::new(&plain.finish, self.scene.settings.ambient_light),
         }
     }

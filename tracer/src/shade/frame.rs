@@ -40,7 +40,7 @@ impl<'a> Frame<'a> {
             return normal;
         };
         let mut normal = outer.normal_from_world(normal);
-        step.transforms(|space| normal = space.inverse().normal(normal));
+        step.transforms(|space| normal = space.inverse_normal(normal));
         normal.normalized()
     }
 

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::color_map::BlendMap;
-use super::{ColorMap, Pigment};
+use super::normal::NormalScale;
+use super::{ColorMap, Normal, Pigment};
 use crate::function::Function;
 use crate::graph::pigment as graph;
 use crate::graph::{Shared, Unsupported};
@@ -19,6 +20,7 @@ pub struct Builder {
     pub(crate) wave_sources: WaveSources,
     pigments: HashMap<usize, Pigment>,
     pub(crate) functions: HashMap<usize, Option<Function>>,
+    pub(super) normals: HashMap<(usize, NormalScale), Normal>,
     /// What was left out.
     pub unsupported: Vec<Unsupported>,
 }
@@ -37,6 +39,7 @@ impl Builder {
             wave_sources: WaveSources::new(number_of_waves),
             pigments: HashMap::new(),
             functions: HashMap::new(),
+            normals: HashMap::new(),
             unsupported: Vec::new(),
         }
     }

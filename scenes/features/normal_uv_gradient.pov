@@ -1,8 +1,8 @@
-// Quilted normals
+// Estimated bumps on surface coordinates
 // class: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }
-#declare Shown = normal { quilted 0.9 control0 0.3 control1 0.9 scale 0.3 }
+#declare Shown = normal { uv_mapping granite 0.5 scale 0.4 }
 
 camera { location <1.3, 2.2, -5.2> look_at <0.15, -0.05, 0> angle 42 }
 light_source { <-6, 5, -6>, rgb 1 }
