@@ -33,7 +33,8 @@ def explain(error: UnexpectedInput, text: str, path: str) -> SdlSyntaxError:
     if token.type in {"RBRACE", "RPAR", "RSQB", "END", "LOOSE_RPAR"} and (opener := _innermost(text, token)):
         closer = _TERMINAL_NAMES[_CLOSERS[opener.type]] if opener.type in _CLOSERS else "#end"
         message = f"unexpected '{token}', expected {closer}"
-        return SdlSyntaxError(message, path, line, column, f"'{opener}' was opened at line {opener.line}")
+        opened = (opener.line or 0, opener.column or 0)
+        return SdlSyntaxError(message, path, line, column, f"'{opener}' was opened at line {opener.line}", opened)
     if token.type == "END":
         return SdlSyntaxError("this #end closes nothing", path, line, column)
     found = "a string" if token.type == "STRING" else f"'{token}'"

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Final
 
-from minipov.grammar import function_words, other_words
+from minipov.grammar import directive_words, function_words, other_words
 
 
 class Kind(Enum):
@@ -60,10 +60,11 @@ KEYWORDS: Final[dict[str, Keyword]] = {
     **_table(other_words.WORDS_38, Kind.WORD, 3.8),
 }
 
-_DIRECTIVES = """
-break case debug declare default else elseif end error fclose fopen for if ifdef ifndef include local macro
-max_intersections max_trace_level range read render statistics switch undef version warning while write
-"""
 
-DIRECTIVES: Final[frozenset[str]] = frozenset(_DIRECTIVES.split())
-"""The words that may follow ``#``."""
+def _directive_table(lines: str) -> dict[str, tuple[str, str]]:
+    rows = ([part.strip() for part in line.split("|")] for line in lines.strip().splitlines())
+    return {name: (form, doc) for names, form, doc in rows for name in names.split()}
+
+
+DIRECTIVES: Final[dict[str, tuple[str, str]]] = _directive_table(directive_words.DIRECTIVES)
+"""The words that may follow ``#``, each with how it is written and what it does."""

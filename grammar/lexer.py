@@ -99,15 +99,22 @@ _TERMINALS_38: Final = terminals(3.8)
 _VERSION_38: Final = re.compile(r"#\s*version\s+(?:unofficial\s+)?3\.[89]")
 
 
-def tokenize(text: str, path: str = "") -> Iterator[Token]:
-    """All tokens of ``text``.
+def speaks_38(text: str) -> bool:
+    """Whether ``text`` asks for version 3.8, whose keywords are identifiers before."""
+    return _VERSION_38.search(text) is not None
+
+
+def tokenize(text: str, path: str = "", start: int = 0, version_38: bool | None = None) -> Iterator[Token]:
+    """All tokens of ``text``, or those from ``start`` on, where lines and columns then count from.
+
+    ``version_38`` is said where it was found out before.
 
     Raises:
         SdlSyntaxError: an unclosed comment or string, or a character that SDL does not know.
     """
-    table = _TERMINALS_38 if _VERSION_38.search(text) else _TERMINALS_37
+    table = _TERMINALS_38 if (speaks_38(text) if version_38 is None else version_38) else _TERMINALS_37
     match_token = _TOKEN.match
-    at, line, line_start, end = 0, 1, 0, len(text)
+    at, line, line_start, end = start, 1, start, len(text)
     previous = ""
     while at < end:
         match = match_token(text, at)

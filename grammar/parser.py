@@ -13,6 +13,7 @@ from typing import Any
 import lark
 from lark import Lark
 from lark.exceptions import UnexpectedInput
+from lark.parsers.lalr_interactive_parser import InteractiveParser
 from minipov.grammar import tree
 from minipov.grammar.builder import Builder
 from minipov.grammar.explain import explain
@@ -41,3 +42,8 @@ def parse(text: str, path: str = "") -> tree.File:
     except UnexpectedInput as error:
         raise explain(error, text, path) from None
     return tree.File(path, items)
+
+
+def interactive_parser() -> InteractiveParser:
+    """Lark's parser to be fed with tokens one by one: for tools that go on after a mistake."""
+    return _parser().parse_interactive()

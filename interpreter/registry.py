@@ -21,7 +21,10 @@ Reader: TypeAlias = Callable[[ItemReader, Context, Sink], Item]
 
 @dataclass(frozen=True, slots=True)
 class Construct:
-    """One construct: its reader, and what people are told about it (errors, completion, hover, docs)."""
+    """One construct: its reader, and what people are told about it (errors, completion, hover, docs).
+
+    ``node`` is the class whose fields are named after the block's keywords; their defaults are what holds unsaid.
+    """
 
     name: str
     read: Reader
@@ -29,22 +32,29 @@ class Construct:
     doc: str
     within: tuple[str, ...] = ()
     accepts: tuple[str, ...] = ()
+    node: type | None = None
 
 
 _CONSTRUCTS: dict[tuple[str, str], Construct] = {}
 
 
 def construct(
-    *names: str, signature: str, doc: str, within: tuple[str, ...] = (), accepts: tuple[str, ...] = ()
+    *names: str,
+    signature: str,
+    doc: str,
+    within: tuple[str, ...] = (),
+    accepts: tuple[str, ...] = (),
+    node: type | None = None,
 ) -> Callable[[Reader], Reader]:
     """Enter a reader into the table under ``names``; ``within`` limits it to blocks directly in those blocks.
 
-    ``accepts`` lists the keywords that may stand in the block (for completion and 'did you mean').
+    ``accepts`` lists the keywords that may stand in the block (for completion and 'did you mean'), ``node`` tells their
+    defaults.
     """
 
     def register(read: Reader) -> Reader:
         for name in names:
-            entry = Construct(name, read, signature, doc, within, accepts)
+            entry = Construct(name, read, signature, doc, within, accepts, node)
             for parent in within or ("",):
                 _CONSTRUCTS[parent, name] = entry
         return read

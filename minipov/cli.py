@@ -19,7 +19,7 @@ from minipov.exit_status import INTERRUPTED, OK, SCENE_ERROR, USAGE_ERROR
 from minipov.include_path import startup_ini
 from minipov.options import UsageError, parse_command_line
 
-SUBCOMMANDS = {"diff": "minipov.compare.command"}
+SUBCOMMANDS = {"diff": "minipov.compare.command", "lsp": "minipov.editor.server.command"}
 """Modules whose ``main(arguments) -> int`` a first word calls."""
 
 

@@ -51,6 +51,7 @@ FOG_ACCEPTS: Final = (*FOG_FIELDS, *TURBULENCE_FIELDS, *TRANSFORM_WORDS, "color"
     signature="[identifier] [fog_type 1|2] distance F color C [fog_offset F fog_alt F] [turbulence V]",
     doc="Haze everywhere, or (type 2) near the ground.",
     accepts=FOG_ACCEPTS,
+    node=Fog,
 )
 def fog(reader: ItemReader, context: Context, sink: Sink) -> Fog:
     result = reader.node(Fog) or Fog(0.0, OPAQUE_BLACK)
@@ -97,6 +98,7 @@ RAINBOW_ACCEPTS: Final = (*RAINBOW_FIELDS, "color_map", "colour_map")
     signature="[identifier] direction V angle F width F color_map {} [distance F] [arc_angle F] [falloff_angle F]",
     doc="A bow of light opposite to a direction.",
     accepts=RAINBOW_ACCEPTS,
+    node=Rainbow,
 )
 def rainbow(reader: ItemReader, context: Context, sink: Sink) -> Rainbow:
     named = reader.node(Rainbow)
@@ -126,6 +128,7 @@ SKY_ACCEPTS: Final = ("pigment", "emission", *TRANSFORM_WORDS)
     signature="[identifier] pigment {} [pigment {} ...] [emission C] [transformations]",
     doc="The colour where nothing is, by direction; several pigments are layers.",
     accepts=SKY_ACCEPTS,
+    node=SkySphere,
 )
 def sky_sphere(reader: ItemReader, context: Context, sink: Sink) -> SkySphere:
     result = reader.node(SkySphere) or SkySphere(())

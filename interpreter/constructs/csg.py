@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from minipov.interpreter.constructs.common import expect_end, unexpected
-from minipov.interpreter.constructs.modifiers import MODIFIERS, read_modifiers
+from minipov.interpreter.constructs.modifiers import MODIFIERS, SHAPE_SWITCHES, read_modifiers
 from minipov.interpreter.constructs.shape import source_of
 from minipov.interpreter.constructs.transforms import TRANSFORM_WORDS, read_transform, read_transforms
 from minipov.interpreter.context import Context
@@ -123,7 +123,7 @@ def difference(reader: ItemReader, context: Context, sink: Sink) -> Object:
     "object",
     signature="object or identifier [modifiers]",
     doc="A declared object (or light), to be changed and placed.",
-    accepts=MODIFIERS,
+    accepts=(*MODIFIERS, *SHAPE_SWITCHES),
 )
 def object_(reader: ItemReader, context: Context, sink: Sink) -> Object | LightSource:
     light = reader.node(LightSource)

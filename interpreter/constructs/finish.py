@@ -156,6 +156,7 @@ def _finishes(texture: Texture | None) -> Iterator[Finish]:
     signature="[identifier] items",
     doc="How a surface answers light: ambient and diffuse shares, highlights, reflection, iridescence.",
     accepts=(*FINISH_FIELDS, *OLD_FIELDS, "reflection", "reflection_exponent", "irid", "subsurface", "albedo"),
+    node=Finish,
 )
 def finish(reader: ItemReader, context: Context, sink: Sink) -> Unread:
     return Unread("finish", reader, lambda items: read_finish(items, context, default_finish(context)))
@@ -173,6 +174,7 @@ def default_finish(context: Context) -> Finish:
     signature="color [, color] [fresnel B] [falloff F] [exponent F] [metallic F]",
     doc="Mirror reflection: one colour at all angles, or one straight on and one at grazing angles.",
     accepts=tuple(REFLECTION_FIELDS),
+    node=Reflection,
 )
 def reflection(reader: ItemReader, context: Context, sink: Sink) -> Block:
     first = second = BLACK
@@ -195,6 +197,7 @@ def reflection(reader: ItemReader, context: Context, sink: Sink) -> Block:
     signature="F [thickness F] [turbulence F]",
     doc="Iridescence, as of a thin film of oil.",
     accepts=("thickness", "turbulence"),
+    node=Iridescence,
 )
 def irid(reader: ItemReader, context: Context, sink: Sink) -> Block:
     amount = reader.float()

@@ -31,6 +31,7 @@ ACCEPTS: Final = (*INTERIOR_FIELDS, "refraction", "media", *TRANSFORM_WORDS)
     signature="[identifier] [ior F] [dispersion F] [caustics F] [fade_distance F fade_power F] [media {}]",
     doc="What fills an object: refraction, dispersion, attenuation and media.",
     accepts=ACCEPTS,
+    node=Interior,
 )
 def interior(reader: ItemReader, context: Context, sink: Sink) -> Interior:
     result = reader.node(Interior) or Interior()

@@ -64,6 +64,7 @@ CYLINDER_RADII: Final = (0.75, 1.0)
     signature="location, color [spotlight|cylinder|parallel] [area_light V, V, I, I] [modifiers]",
     doc="A light: a point, a spot, a beam, or an area of points.",
     accepts=ACCEPTS,
+    node=LightSource,
 )
 def light_source(reader: ItemReader, context: Context, sink: Sink) -> LightSource:
     light = reader.node(LightSource) or _plain_light(reader, context)

@@ -51,6 +51,7 @@ def default_media(context: Context) -> Media:
     signature="[identifier] [method I] [samples I, I] [absorption C] [emission C] [scattering {}] [density {}]",
     doc="Fog, smoke or fire inside an object, or everywhere.",
     accepts=ACCEPTS,
+    node=Media,
 )
 def media(reader: ItemReader, context: Context, sink: Sink) -> Media:
     result = reader.node(Media) or default_media(context)
@@ -89,6 +90,7 @@ def _checked(result: Media, reader: ItemReader, context: Context) -> Media:
     signature="type, color [eccentricity F] [extinction F]",
     doc="Light thrown aside by particles: 1 isotropic, 2 and 3 Mie, 4 Rayleigh, 5 Henyey-Greenstein.",
     accepts=("eccentricity", "extinction"),
+    node=Scattering,
 )
 def scattering(reader: ItemReader, context: Context, sink: Sink) -> Scattering:
     kind = reader.integer()

@@ -12,7 +12,7 @@ from minipov.interpreter.errors import Place
 from minipov.interpreter.items import Block, Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
-from minipov.tracer.settings import Photons, Radiosity, SubsurfaceSettings
+from minipov.tracer.settings import GlobalSettings, Photons, Radiosity, SubsurfaceSettings
 
 LARGEST_TRACE_LEVEL: Final = 256
 
@@ -49,6 +49,7 @@ ACCEPTS: Final = (*SETTINGS_FIELDS, *WITHOUT_EFFECT, *BLOCKS)
     signature="[assumed_gamma F|srgb] [max_trace_level I] [ambient_light C] [radiosity {}] [photons {}] ...",
     doc="What holds for the whole scene.",
     accepts=ACCEPTS,
+    node=GlobalSettings,
 )
 def global_settings(reader: ItemReader, context: Context, sink: Sink) -> Block:
     scene = context.scene
@@ -146,6 +147,7 @@ SAVE_AND_LOAD: Final[dict[str, Field]] = {"save_file": text("save_file"), "load_
     signature="[count I] [error_bound F] [recursion_limit I] [pretrace_start F] [pretrace_end F] ...",
     doc="Light that surfaces throw on each other.",
     accepts=(*RADIOSITY_FIELDS, *SAVE_AND_LOAD),
+    node=Radiosity,
 )
 def radiosity(reader: ItemReader, context: Context, sink: Sink) -> Radiosity:
     said: dict[str, Any] = {}
@@ -207,6 +209,7 @@ PHOTON_FIELDS: Final[dict[str, Field]] = {
     signature="spacing F | count I [gather I, I] [media I [, F]] [autostop F] [jitter F] ...",
     doc="Caustics by photons shot from the lights.",
     accepts=tuple(PHOTON_FIELDS),
+    node=Photons,
 )
 def photons(reader: ItemReader, context: Context, sink: Sink) -> Photons:
     said: dict[str, Any] = {}
@@ -226,6 +229,7 @@ def photons(reader: ItemReader, context: Context, sink: Sink) -> Photons:
     signature="[samples I, I] [radiosity B]",
     doc="Switches subsurface light transport on.",
     accepts=("samples", "radiosity"),
+    node=SubsurfaceSettings,
 )
 def subsurface(reader: ItemReader, context: Context, sink: Sink) -> SubsurfaceSettings:
     said: dict[str, Any] = {}

@@ -1,0 +1,149 @@
+"""A text cut into statements, so that an edit costs only the statements that it touches.
+
+A statement is a run of whole lines outside of which no bracket and no directive is open. All that is worked out about
+one is relative to its start and stays with it while other parts of the text change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Any, Final
+
+from lark import Token
+from minipov.editor.analysis.language import BLOCKS
+from minipov.editor.analysis.problem import Problem
+from minipov.editor.analysis.scanning import line_break, scan
+
+OPENING: Final = frozenset({"IF", "IFDEF", "IFNDEF", "SWITCH", "WHILE", "FOR", "MACRO"})
+DIVIDING: Final = frozenset({"ELSE", "ELSEIF", "CASE", "RANGE"})
+STARTING: Final = OPENING | {
+    "DECLARE", "LOCAL", "UNDEF", "INCLUDE", "DEFAULT", "VERSION", "DEBUG", "WARNING", "ERROR", "RENDER", "STATISTICS",
+    "FOPEN", "FCLOSE", "READ", "WRITE", "BREAK", "MAX_TRACE_LEVEL", "MAX_INTERSECTIONS",
+}  # fmt: skip
+"""Directives that may open a statement."""
+
+BRACKETS: Final = {"{": "}", "(": ")", "[": "]", "<": ">"}
+_ENDS: Final = frozenset({"RBRACE", "SEMICOLON", "END", "STRING", "RPAR"})
+_OPERAND_ENDS: Final = _ENDS | {"NUMBER", "NAME", "MORE", "CONSTANT", "RSQB"}
+
+
+@dataclass(slots=True, eq=False)
+class Statement:
+    """Whole lines of a text; offsets, lines and columns of its tokens count from its start.
+
+    ``open`` says that something in it is never closed, so that its end was guessed from all that follows. ``found``
+    keeps what analyses found out about it, by the name of the analysis.
+    """
+
+    text: str
+    tokens: list[Token]
+    problems: list[Problem]
+    open: bool = False
+    found: dict[str, Any] = field(default_factory=dict)
+
+
+class _Openings:
+    """What is open at a token: brackets and directives, the outermost first."""
+
+    def __init__(self) -> None:
+        self.stack: list[tuple[str, Token]] = []
+        self.previous = ""
+
+    def take(self, token: Token) -> None:
+        kind, value = token.type, token.value
+        if kind in OPENING:
+            self.stack.append(("#", token))
+        elif kind == "END":
+            self._close("#")
+        elif kind in DIVIDING:
+            self._close_body()
+        elif kind in {"LBRACE", "LPAR", "LSQB"}:
+            self.stack.append((value, token))
+        elif kind == "LESS":
+            if self._opens_vector():
+                self.stack.append((value, token))
+        elif kind in {"RBRACE", "RPAR", "RSQB", "MORE"}:
+            self._close({"}": "{", ")": "(", "]": "[", ">": "<"}[value])
+        elif kind == "SEMICOLON" and self.stack and self.stack[-1][0] == "<":
+            self.stack.pop()
+        self.previous = kind
+
+    def _opens_vector(self) -> bool:
+        """Whether a ``<`` opens a vector: outside parentheses always, inside where no operand stands before it."""
+        around = next((mark for mark, _ in reversed(self.stack) if mark != "<"), "")
+        return self.previous not in _OPERAND_ENDS or around != "("
+
+    def _close(self, mark: str) -> None:
+        """Close the innermost ``mark``, with what is left open in it; a bracket does not reach out of its directive."""
+        for at in range(len(self.stack) - 1, -1, -1):
+            if self.stack[at][0] == mark:
+                del self.stack[at:]
+                return
+            if self.stack[at][0] == "#" or mark == "<":
+                return
+
+    def _close_body(self) -> None:
+        while self.stack and self.stack[-1][0] != "#":
+            self.stack.pop()
+
+
+def _may_start(token: Token, previous: str) -> bool:
+    """Whether a statement may begin at ``token``, where nothing is open."""
+    kind = token.type
+    if kind in STARTING:
+        return previous in _OPERAND_ENDS
+    if previous in _ENDS:
+        return kind == "NAME" or token.value in BLOCKS
+    return previous in _OPERAND_ENDS and token.value in BLOCKS
+
+
+def split(text: str, start: int, version_38: bool) -> Iterator[Statement]:
+    """The statements of ``text`` from ``start`` on, where one must begin."""
+    while start < len(text):
+        statement = _next(text, start, version_38)
+        yield statement
+        start += len(statement.text)
+
+
+def _next(text: str, start: int, version_38: bool) -> Statement:
+    openings = _Openings()
+    problems: list[Problem] = []
+    tokens: list[Token] = []
+    previous_end, cut = start, len(text)
+    for token in scan(text, start, version_38, problems):
+        if tokens and not openings.stack and _may_start(token, openings.previous):
+            line = line_break(text, previous_end, token.start_pos or 0)
+            if line is not None:
+                cut = line
+                break
+        openings.take(token)
+        tokens.append(token)
+        previous_end = token.end_pos or 0
+    if openings.stack:
+        cut = _cut_after(text, tokens, openings.stack[0][1], cut)
+    return _statement(text, start, cut, tokens, problems, open=bool(openings.stack or problems))
+
+
+def _cut_after(text: str, tokens: list[Token], opener: Token, end: int) -> int:
+    """Where to end a statement in which ``opener`` is never closed: at the next line that looks like another one."""
+    after = False
+    for previous, token in pairwise(tokens):
+        after = after or previous is opener
+        begins_line = token.column == 1 and token.line != previous.line
+        if after and begins_line and (token.type in STARTING or token.value in BLOCKS):
+            line = line_break(text, previous.end_pos or 0, token.start_pos or 0)
+            if line is not None:
+                return line
+    return end
+
+
+def _statement(
+    text: str, start: int, end: int, tokens: list[Token], problems: list[Problem], *, open: bool
+) -> Statement:
+    tokens = [token for token in tokens if (token.start_pos or 0) < end]
+    for token in tokens:
+        token.start_pos = (token.start_pos or 0) - start
+        token.end_pos = (token.end_pos or 0) - start
+    return Statement(text[start:end], tokens, [p.moved(-start) for p in problems if p.start < end], open)
