@@ -55,12 +55,21 @@ PIECES = ["{", "}", "(", ")", "<", ">", "[", "#if (1)", "#else", "#end", '"', "/
           "#declare B = ", "#macro M(P)", "=", ";", ",", " ", "@", "#", "1.2.3", "function", "rgb", "."]  # fmt: skip
 
 
+EDITS = st.tuples(st.floats(0, 1), st.integers(0, 40), st.lists(st.sampled_from(PIECES), max_size=4))
+START = """#declare A = 1;
+sphere { <0, A, 0>, 1 }
+#if (A)
+  box { 0, 1 }
+#end
+M(1)
+/* x */ union { #while (1) #end }
+"""
+
+
 @settings(max_examples=300, deadline=None)
-@given(
-    st.lists(st.tuples(st.floats(0, 1), st.integers(0, 40), st.lists(st.sampled_from(PIECES), max_size=4)), max_size=4)
-)
+@given(st.lists(EDITS, max_size=4))
 def test_an_edit_gives_what_reading_anew_gives(edits: list[tuple[float, int, list[str]]]) -> None:
-    text = "#declare A = 1;\nsphere { <0, A, 0>, 1 }\n#if (A)\n  box { 0, 1 }\n#end\nM(1)\n/* x */ union { #while (1) #end }\n"
+    text = START
     document = Document(text)
     for where, length, pieces in edits:
         at = int(where * len(text))
