@@ -24,7 +24,10 @@ _ALPHA_KINDS = frozenset({"png", "tga", "tga_rle", "bmp", "exr"})
 
 @dataclass(frozen=True, slots=True)
 class FileFormat:
-    """How a picture is stored. ``bits`` counts for PNG and PPM; ``quality`` (2 to 100) for JPEG."""
+    """How a picture is stored. ``bits`` counts for PNG and PPM; ``quality`` (2 to 100) for JPEG.
+
+    ``dither`` is a method of `minipov.dither`, or "".
+    """
 
     kind: FileKind = "png"
     bits: int = 8
@@ -32,6 +35,7 @@ class FileFormat:
     alpha: bool = False
     gray: bool = False
     quality: int = 85
+    dither: str = ""
 
     @property
     def stores_alpha(self) -> bool:

@@ -16,6 +16,7 @@ import numpy as np
 import OpenImageIO as oiio
 from numpy.typing import NDArray
 
+from minipov.dither import dither
 from minipov.gamma import Floats, convert, decode
 from minipov.image_format import EXTENSIONS, FileFormat
 from minipov.tracer.settings import Gamma
@@ -65,7 +66,8 @@ def stored_channels(pixels: Floats, working: Gamma, file: FileFormat) -> NDArray
     if file.stores_alpha:
         stored = np.concatenate([stored, np.clip(alpha, 0, 1)], axis=2)
     largest = (1 << (file.bits if file.kind in _DEEP_KINDS else 8)) - 1
-    codes = np.floor(stored * largest + 0.5)
+    codes = dither(stored * largest, file.dither) if file.dither else np.floor(stored * largest + 0.5)
+    codes = np.clip(codes, 0, largest)
     if file.kind == "ppm":
         return codes.astype(np.uint16)
     container = 255 if largest <= 255 else 65535

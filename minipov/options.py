@@ -88,6 +88,8 @@ class _Reader:
             self.argument(waiting.popleft(), waiting)
 
     def argument(self, word: str, following: deque[str]) -> None:
+        if word in ("-help", "-version"):
+            word = f"-{word}"
         if word.startswith("--"):
             self._long(word[2:], following)
         elif len(word) > 1 and word[0] in "+-":

@@ -10,6 +10,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Literal
 
+from minipov.dither import DITHER_METHODS
 from minipov.frames import Frame
 from minipov.gamma import parse_gamma
 from minipov.image_format import EXTENSIONS, FileFormat, FileKind
@@ -48,8 +49,22 @@ def file_format(command: CommandLine) -> FileFormat:
         gamma = parse_gamma(command.text("File_Gamma"))
     except ValueError:
         raise UsageError(f"File_Gamma={command.text('File_Gamma')}: expected sRGB or a number above 0") from None
-    alpha = command.flag("Output_Alpha")
-    return FileFormat(kind, bits, gamma, alpha, gray, 85 if quality in (0, 1) else min(max(quality, 2), 100))
+    return FileFormat(
+        kind,
+        bits,
+        gamma,
+        alpha=command.flag("Output_Alpha"),
+        gray=gray,
+        quality=85 if quality in (0, 1) else min(max(quality, 2), 100),
+        dither=_dither_method(command) if command.flag("Dither") else "",
+    )
+
+
+def _dither_method(command: CommandLine) -> str:
+    method = command.text("Dither_Method").upper()
+    if method not in DITHER_METHODS:
+        raise UsageError(f"Dither_Method={method}: possible are {', '.join(DITHER_METHODS)}")
+    return method
 
 
 def output_path(command: CommandLine, scene: Path, frame: Frame, kind: FileKind) -> Path | Literal["-"]:

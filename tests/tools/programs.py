@@ -17,8 +17,9 @@ SMALL = ("+W16", "+H12")
 WHITE = """#version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb 1 }
+sphere { -9*z, 1 }
 """
-"""A scene whose picture is known to the bit."""
+"""A scene whose picture is known to the bit; its object is behind the camera."""
 
 _FAKE_POVRAY = """#!{python}
 import sys
