@@ -34,6 +34,6 @@ impl Camera {
     pub fn path(&self, x: f64, y: f64) -> Option<Path> {
         let Ray { origin, direction } = self.projection.ray(x - 0.5, 0.5 - y)?;
         let ray = Ray { origin, direction: direction.normalized() };
-        Some(Path { ray, interiors: self.interiors, kind: RayKind::Camera })
+        Some(Path { ray, interiors: self.interiors, kind: RayKind::Camera, band: None })
     }
 }

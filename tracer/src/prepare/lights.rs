@@ -34,12 +34,12 @@ pub fn prepare(
     global.extend(geometry.lights.iter().map(|w| add(&w.item, w.space.as_deref())));
     let mut sets = vec![global];
     for group in &geometry.light_groups {
-        let outer = match group.parent {
-            _ if !group.global_lights => &[][..],
-            Some(parent) => &sets[parent + 1],
-            None => &sets[0],
-        };
-        let mut set = outer.to_vec();
+        // The lights of a group around this one do not shine here; the outermost group says whether the scene's do.
+        let mut outermost = group;
+        while let Some(parent) = outermost.parent {
+            outermost = &geometry.light_groups[parent];
+        }
+        let mut set = if outermost.global_lights { sets[0].clone() } else { Vec::new() };
         set.extend(group.lights.iter().map(|w| add(&w.item, w.space.as_deref())));
         sets.push(set);
     }

@@ -14,6 +14,7 @@ use crate::camera::Camera;
 use crate::geometry;
 use crate::graph::settings::{Accelerator, RenderSettings};
 use crate::graph::{self, Unsupported};
+use crate::noise::NoiseGenerator;
 use crate::texture::Builder;
 
 /// Makes a scene ready for rendering; what cannot be rendered is left out and listed.
@@ -50,6 +51,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
         max_trace_level: global.max_trace_level,
         adc_bailout: global.adc_bailout,
         irid_wavelength: global.irid_wavelength,
+        noise_generator: NoiseGenerator::from_number(i64::from(global.noise_generator)),
     };
     prepared.place_camera();
     (prepared, unsupported)

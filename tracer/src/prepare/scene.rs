@@ -7,6 +7,7 @@ use crate::color::Rgb;
 use crate::geometry::{Geometry, NodeId};
 use crate::graph::Interior;
 use crate::light::Light;
+use crate::noise::NoiseGenerator;
 use crate::shade::{BodyId, Interiors, Spot, Texture, TextureId};
 
 /// A scene ready for rendering.
@@ -40,6 +41,8 @@ pub struct Scene {
     pub adc_bailout: f64,
     /// Wavelengths of the three channels, for thin films.
     pub irid_wavelength: Rgb,
+    /// For turbulence outside of patterns.
+    pub noise_generator: NoiseGenerator,
 }
 
 /// A texture as objects wear it.
@@ -101,6 +104,17 @@ impl Scene {
         id.and_then(|id| self.interior(id)).map_or(1.0, |interior| interior.ior)
     }
 
+    /// Ratio of the densities for violet and red.
+    #[inline]
+    pub fn dispersion_of(&self, id: Option<BodyId>) -> f64 {
+        id.and_then(|id| self.interior(id)).map_or(1.0, |interior| interior.dispersion)
+    }
+
+    /// Into how many bands the surface of a body parts light.
+    pub fn dispersion_samples(&self, id: BodyId) -> usize {
+        self.interior(id).map_or(7, |interior| interior.dispersion_samples.max(2))
+    }
+
     /// What `fade_distance` leaves of light that goes through a surface, seen from inside the object.
     #[inline]
     pub fn view_attenuation(&self, spot: &Spot) -> Rgb {
@@ -131,10 +145,9 @@ impl Scene {
 /// What is left of light after `distance` inside.
 fn fading(interior: &Interior, distance: f64) -> Rgb {
     let depth = distance / interior.fade_distance;
-    let left = if interior.fade_power >= 1000.0 {
-        (-depth).exp()
-    } else {
-        1.0 / (1.0 + depth.powf(interior.fade_power))
-    };
+    if interior.fade_power >= 1000.0 {
+        return interior.fade_color.map(|color| (-(1.0 - color) * depth).exp());
+    }
+    let left = 1.0 / (1.0 + depth.powf(interior.fade_power));
     interior.fade_color.map(|color| color + (1.0 - color) * left)
 }

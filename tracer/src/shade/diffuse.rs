@@ -6,6 +6,10 @@ use crate::color::{rgb, Rgb};
 use crate::graph::finish::Iridescence;
 use crate::light::Light;
 use crate::math::Vec3;
+use crate::noise::Octaves;
+
+/// The turbulence of thin films (probed).
+const FILM_OCTAVES: Octaves = Octaves { octaves: 5, omega: 0.5, lambda: 2.0 };
 
 /// Light fainter than this in every channel counts as none.
 const NOTHING: f64 = 1e-10;
@@ -87,9 +91,14 @@ impl Tracer<'_> {
     }
 
     /// Interference on a thin film: light of each wavelength gains or loses by its phase.
-    fn film(&self, film: &Iridescence, spot: &Spot, normal: Vec3, towards: Vec3, light: Rgb) -> Rgb {
+    pub(super) fn film(&self, film: &Iridescence, spot: &Spot, normal: Vec3, towards: Vec3, light: Rgb) -> Rgb {
         let cosines = normal.dot(towards).abs() + normal.dot(spot.path.ray.direction).abs();
-        let path = 2.0 * std::f64::consts::PI * film.thickness * cosines;
+        let mut thickness = film.thickness;
+        if film.turbulence != 0.0 {
+            let noise = FILM_OCTAVES.scalar(spot.point, self.scene.noise_generator);
+            thickness *= 1.0 + film.turbulence * (2.0 * noise - 1.0);
+        }
+        let path = 2.0 * std::f64::consts::PI * thickness * cosines;
         let wave = self.scene.irid_wavelength;
         let gain = |wavelength: f64| 1.0 + film.amount * (path / wavelength).cos();
         light.mul_each(rgb(gain(wave.r), gain(wave.g), gain(wave.b)))

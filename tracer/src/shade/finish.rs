@@ -43,7 +43,7 @@ pub struct Reflection {
     pub fresnel: bool,
     /// Exponent of the angle's influence.
     pub falloff: f64,
-    /// `reflection_exponent`, or `exponent`: the power that reflected light is raised to.
+    /// The power that reflected light is raised to: one over `reflection_exponent` or `exponent` (probed).
     pub exponent: f64,
     /// How much the mirror takes the pigment's colour.
     pub metallic: f64,
@@ -72,7 +72,7 @@ impl Finish {
                 range: [f.reflection.minimum, f.reflection.maximum],
                 fresnel: f.reflection.fresnel,
                 falloff: f.reflection.falloff,
-                exponent: f.reflection.exponent,
+                exponent: 1.0 / f.reflection.exponent,
                 metallic: f.reflection.metallic,
             }),
             conserve_energy: f.conserve_energy,

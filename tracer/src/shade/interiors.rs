@@ -50,6 +50,11 @@ impl Interiors {
         self.ids[..self.len as usize].iter().copied()
     }
 
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.len as usize
+    }
+
     /// Whether the ray is in open space.
     pub fn is_empty(&self) -> bool {
         self.len == 0

@@ -2,7 +2,7 @@
 
 use super::frame::Frame;
 use super::interiors::BodyId;
-use super::refract::Passage;
+use super::reflect::Mirrored;
 use super::texture::Layer;
 use super::{Path, Radiance, Tracer};
 use crate::color::{Rgb, Rgbft};
@@ -13,6 +13,7 @@ use crate::prepare::Scene;
 use crate::texture::Pigment;
 
 /// What is fixed at a hit, whatever the texture.
+#[derive(Clone, Copy)]
 pub struct Spot<'a> {
     /// The ray that came here.
     pub path: &'a Path,
@@ -82,8 +83,10 @@ impl Tracer<'_> {
         let mut filter = Rgb::WHITE;
         let mut through = 1.0;
         let mut top_normal = spot.normal;
-        // Total reflection takes the place of every layer's mirror.
-        let mut only_totally = false;
+        let first_mirror = self.mirrors.len();
+        let Some(top) = layers.first().map(|layer| &layer.finish) else {
+            return seen;
+        };
         for (number, layer) in layers.iter().enumerate() {
             if through < scene.adc_bailout {
                 break;
@@ -92,7 +95,6 @@ impl Tracer<'_> {
             let normal = layer.perturbed(spot, frame);
             if number == 0 {
                 top_normal = normal;
-                only_totally = self.is_totally_reflected(spot, normal, frame, layers);
             }
             let color = layer.color(spot, frame, normal);
             let opacity = color.opacity();
@@ -102,9 +104,10 @@ impl Tracer<'_> {
             }
             seen.rgb += own.mul_each(filter);
             let mut passes = passing(&color);
-            if let Some(mirror) = finish.reflection.as_ref().filter(|_| !only_totally) {
+            if let Some(mirror) = &finish.reflection {
                 let share = self.reflectivity(spot, mirror, normal, color.rgb);
-                seen.rgb += self.mirrored(spot, mirror, normal, share, weight * through);
+                let weight = weight * through * mirror.strength(share);
+                self.mirrors.push(Mirrored { normal, share, weight, exponent: mirror.exponent });
                 if finish.conserve_energy {
                     passes = passes.mul_each(share.map(|s| (1.0 - s).max(0.0)));
                 }
@@ -112,17 +115,17 @@ impl Tracer<'_> {
             filter = filter.mul_each(passes);
             through = filter.max_element().min(1.0);
         }
-        if through > scene.adc_bailout {
-            self.seen_through(spot, top_normal, filter, weight * through, &mut seen);
+        let totally = through > scene.adc_bailout
+            && self.seen_through(spot, top_normal, filter, weight * through, top, &mut seen);
+        for i in first_mirror..self.mirrors.len() {
+            let mirrored = self.mirrors[i];
+            // Total reflection takes the place of mirrors that lie the same way.
+            if !(totally && mirrored.normal == top_normal) {
+                seen.rgb += self.mirrored(spot, &mirrored, top);
+            }
         }
+        self.mirrors.truncate(first_mirror);
         seen
-    }
-
-    /// Whether a ray would see something behind the layers but for its angle.
-    fn is_totally_reflected(&mut self, spot: &Spot, normal: Vec3, frame: &Frame, layers: &[Layer]) -> bool {
-        self.scene.quality.refraction
-            && self.passage(spot, normal) == Passage::None
-            && self.layers_filter(spot, frame, layers).max_element() > self.scene.adc_bailout
     }
 
     /// The share of light that passes layers.

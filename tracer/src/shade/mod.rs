@@ -1,6 +1,7 @@
 //! From rays to light: what is hit, how it is lit, mirrored and seen through.
 
 mod diffuse;
+mod dispersion;
 mod finish;
 mod frame;
 mod highlight;
@@ -12,10 +13,11 @@ mod shadow;
 mod soft_shadow;
 mod texture;
 
+pub use dispersion::Band;
 pub use finish::Finish;
 pub use interiors::{BodyId, Interiors};
 pub use layers::Spot;
-use reflect::mirror_direction;
+use reflect::Mirrored;
 pub use texture::{Layer, Texture, TextureId};
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -62,6 +64,8 @@ pub struct Path {
     pub interiors: Interiors,
     /// Why it was shot.
     pub kind: RayKind,
+    /// The part of the spectrum that it carries, after dispersion.
+    pub band: Option<Band>,
 }
 
 /// One thread's state while it traces a scene.
@@ -80,6 +84,8 @@ pub struct Tracer<'s> {
     occluders: Vec<Option<NodeId>>,
     /// Scratch for the points of an area light.
     grid: Vec<Option<Rgb>>,
+    /// The mirrors of the surfaces that are being shaded, the innermost last.
+    mirrors: Vec<Mirrored>,
     /// Scratch for textures seen together at one point.
     weights: Vec<(Option<u32>, f64)>,
     /// Set by someone who no longer wants the picture: rays then see nothing, at once.
@@ -97,6 +103,7 @@ impl<'s> Tracer<'s> {
             straight: 0,
             occluders: vec![None; scene.lights.len()],
             grid: Vec::new(),
+            mirrors: Vec::new(),
             weights: Vec::new(),
             cancelled,
         }

@@ -2,10 +2,34 @@
 
 use super::finish::Reflection;
 use super::layers::Spot;
-use super::{metallic_tint, Path, Tracer};
+use super::{metallic_tint, Finish, Path, Tracer};
 use crate::accel::RayKind;
 use crate::color::Rgb;
 use crate::math::{Ray, Vec3};
+
+/// A mirror seen under a certain angle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mirrored {
+    /// The perturbed normal.
+    pub normal: Vec3,
+    /// The share of light that is mirrored.
+    pub share: Rgb,
+    /// What the mirrored ray counts in the pixel.
+    pub weight: f64,
+    /// The power that mirrored light is raised to.
+    pub exponent: f64,
+}
+
+impl Reflection {
+    /// What a mirrored ray counts: of a mirror by angle the most that it could.
+    pub(super) fn strength(&self, share: Rgb) -> f64 {
+        if self.fresnel {
+            share.max_element()
+        } else {
+            self.range[0].max_element().max(self.range[1].max_element())
+        }
+    }
+}
 
 impl Tracer<'_> {
     /// The share of light that is mirrored, by the angle between ray and normal.
@@ -16,7 +40,7 @@ impl Tracer<'_> {
             low
         } else {
             let rise = if mirror.fresnel {
-                fresnel(cos, self.relative_ior(spot))
+                fresnel(cos, self.mirror_ior(spot))
             } else {
                 (1.0 - cos).max(0.0).powf(mirror.falloff)
             };
@@ -28,33 +52,31 @@ impl Tracer<'_> {
         share.mul_each(metallic_tint(mirror.metallic, cos, pigment))
     }
 
-    /// Light from the mirrored direction, times `share`.
-    pub(super) fn mirrored(
-        &mut self,
-        spot: &Spot,
-        mirror: &Reflection,
-        normal: Vec3,
-        share: Rgb,
-        weight: f64,
-    ) -> Rgb {
-        if self.scene.quality.reflection {
-            let direction = mirror_direction(spot.path.ray.direction, normal, spot.normal);
-            let path = Path {
-                ray: Ray { origin: spot.point, direction },
-                interiors: spot.path.interiors,
-                kind: RayKind::Reflected,
-            };
-            let seen = self.trace(&path, weight * share.max_element()).rgb;
-            let seen = if mirror.exponent == 1.0 { seen } else { seen.map(|c| c.powf(mirror.exponent)) };
-            seen.mul_each(share)
-        } else {
-            Rgb::BLACK
+    /// Light from the mirrored direction, times the mirror's share; `top` is the finish of the topmost layer.
+    pub(super) fn mirrored(&mut self, spot: &Spot, mirrored: &Mirrored, top: &Finish) -> Rgb {
+        if !self.scene.quality.reflection || mirrored.share == Rgb::BLACK {
+            return Rgb::BLACK;
+        }
+        let seen = self.reflected(spot, mirrored.normal, top, mirrored.weight);
+        let seen = if mirrored.exponent == 1.0 { seen } else { seen.map(|c| c.max(0.0).powf(mirrored.exponent)) };
+        seen.mul_each(mirrored.share)
+    }
+
+    /// Light from the mirrored direction, coloured by a thin film.
+    pub(super) fn reflected(&mut self, spot: &Spot, normal: Vec3, top: &Finish, weight: f64) -> Rgb {
+        let direction = mirror_direction(spot.path.ray.direction, normal, spot.normal);
+        let ray = Ray { origin: spot.point, direction };
+        let path = Path { ray, kind: RayKind::Reflected, ..*spot.path };
+        let seen = self.trace(&path, weight).rgb;
+        match &top.irid {
+            Some(film) => self.film(film, spot, normal, direction, seen),
+            None => seen,
         }
     }
 }
 
 /// The direction mirrored at a perturbed normal, kept on the ray's side of the true surface.
-pub(super) fn mirror_direction(direction: Vec3, normal: Vec3, true_normal: Vec3) -> Vec3 {
+fn mirror_direction(direction: Vec3, normal: Vec3, true_normal: Vec3) -> Vec3 {
     let mirror = |d: Vec3, n: Vec3| d - n * (2.0 * d.dot(n));
     let mirrored = mirror(direction, normal);
     let kept = if mirrored.dot(true_normal) >= 0.0 {

@@ -1,68 +1,90 @@
 //! SDL: `interior { ior F }`: rays through surfaces.
 
+use super::dispersion::Band;
 use super::layers::Spot;
-use super::{mirror_direction, Interiors, Path, Radiance, Tracer};
-use crate::accel::RayKind;
+use super::{Finish, Interiors, Path, Radiance, Tracer};
 use crate::color::Rgb;
 use crate::math::{Ray, Vec3};
 
+/// Ratios nearer to 1 than this do not bend.
+const UNBENT: f64 = 1e-10;
+
 impl Tracer<'_> {
     /// Density of what lies behind the surface over that of what the ray is in.
-    pub(super) fn relative_ior(&self, spot: &Spot) -> f64 {
+    fn relative_ior(&self, spot: &Spot) -> f64 {
         self.scene.ior_of(beyond(spot).innermost()) / self.scene.ior_of(spot.path.interiors.innermost())
     }
 
-    /// How a ray would go on through the surface.
-    pub(super) fn passage(&self, spot: &Spot, normal: Vec3) -> Passage {
-        let ratio = 1.0 / self.relative_ior(spot);
-        if (ratio - 1.0).abs() < 1e-10 {
-            return Passage::Straight;
+    /// The same as Fresnel's law of mirrors has it. Between two objects the outer one is overlooked: POV-Ray asks what
+    /// the ray is in before it has left.
+    pub(super) fn mirror_ior(&self, spot: &Spot) -> f64 {
+        let around = &spot.path.interiors;
+        if around.contains(spot.body) && around.len() > 1 {
+            self.scene.ior_of(around.innermost()) / self.scene.ior_of(Some(spot.body))
+        } else {
+            self.relative_ior(spot)
         }
-        refracted(spot.path.ray.direction, normal, ratio).map_or(Passage::None, Passage::Bent)
     }
 
-    /// Adds what is seen through the surface, times `filter`.
+    /// Adds what is seen through the surface, times `filter`; says whether all was reflected instead.
     pub(super) fn seen_through(
         &mut self,
         spot: &Spot,
         normal: Vec3,
         filter: Rgb,
         weight: f64,
+        top: &Finish,
         seen: &mut Radiance,
-    ) {
-        if !self.scene.quality.refraction {
-            return;
+    ) -> bool {
+        let scene = self.scene;
+        if !scene.quality.refraction {
+            return false;
         }
-        let attenuation = self.scene.view_attenuation(spot);
-        let ray = &spot.path.ray;
-        let onward = |direction| {
-            let ray = Ray { origin: spot.point, direction };
-            Path { ray, interiors: beyond(spot), kind: spot.path.kind }
-        };
-        let (behind, filter) = match self.passage(spot, normal) {
-            Passage::Straight => (self.trace_on(&onward(ray.direction), weight), filter),
-            Passage::Bent(direction) => (self.trace(&onward(direction), weight), filter),
-            Passage::None => {
-                let direction = mirror_direction(ray.direction, normal, spot.normal);
-                let ray = Ray { origin: spot.point, direction };
-                let path = Path { ray, interiors: spot.path.interiors, kind: RayKind::Reflected };
-                (self.trace(&path, weight), Rgb::WHITE)
+        let attenuation = scene.view_attenuation(spot);
+        let ior = 1.0 / self.relative_ior(spot);
+        let (before, behind) = (spot.path.interiors.innermost(), beyond(spot).innermost());
+        let dispersion = scene.dispersion_of(before) / scene.dispersion_of(behind);
+        let parted = (dispersion - 1.0).abs() >= UNBENT;
+        let (behind, totally) = if !parted && (ior - 1.0).abs() < UNBENT {
+            (self.trace_on(&onward(spot, spot.path.ray.direction), weight), false)
+        } else if !parted {
+            self.seen_bent(spot, normal, ior, weight, top)
+        } else if let Some(band) = spot.path.band {
+            self.seen_bent(spot, normal, band.bends(ior, dispersion), weight, top)
+        } else {
+            let count = scene.dispersion_samples(spot.body);
+            let mut sum = Radiance::BLACK;
+            for band in Band::all(count) {
+                let path = Path { band: Some(band), ..*spot.path };
+                let spot = Spot { path: &path, ..*spot };
+                let (light, _) = self.seen_bent(&spot, normal, band.bends(ior, dispersion), weight, top);
+                sum.rgb += light.rgb.mul_each(band.hue()) * (1.0 / count as f64);
             }
+            (sum, false)
         };
+        let filter = if totally { Rgb::WHITE } else { filter };
         seen.rgb += behind.rgb.mul_each(filter).mul_each(attenuation);
         seen.transmit += behind.transmit * filter.gray();
+        totally
     }
-}
 
-/// How a ray goes through a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Passage {
-    /// Unbent.
-    Straight,
-    /// In another direction.
-    Bent(Vec3),
-    /// Not at all: it is totally reflected.
-    None,
+    /// Light from behind a surface that bends by the density before over that behind, or the mirrored light and `true`
+    /// where it is totally reflected.
+    fn seen_bent(
+        &mut self,
+        spot: &Spot,
+        normal: Vec3,
+        ratio: f64,
+        weight: f64,
+        top: &Finish,
+    ) -> (Radiance, bool) {
+        match refracted(spot.path.ray.direction, normal, ratio) {
+            Some(direction) => (self.trace(&onward(spot, direction), weight), false),
+            None => {
+                (Radiance { rgb: self.reflected(spot, normal, top, weight), ..Radiance::BLACK }, true)
+            }
+        }
+    }
 }
 
 /// The interiors around a ray that goes through the surface.
@@ -72,6 +94,12 @@ fn beyond(spot: &Spot) -> Interiors {
         interiors.enter(spot.body);
     }
     interiors
+}
+
+/// The ray behind the surface.
+fn onward(spot: &Spot, direction: Vec3) -> Path {
+    let ray = Ray { origin: spot.point, direction };
+    Path { ray, interiors: beyond(spot), ..*spot.path }
 }
 
 /// Snell's law; none where light is totally reflected. `ratio` is the density before over that behind.

@@ -69,6 +69,7 @@ impl Tracer<'_> {
             ray: Ray { origin: spot.point, direction: arrival.direction },
             interiors: spot.path.interiors,
             kind: RayKind::Shadow,
+            band: None,
         };
         let mut color = arrival.color;
         let mut left = arrival.distance - TOLERANCE;
