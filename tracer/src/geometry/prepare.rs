@@ -95,12 +95,14 @@ impl<'a> Preparation<'a> {
                 let mut within = self.inside_of(object, around, &union.lights);
                 within.clipped_by = self.add_clips(object, around);
                 union.children.iter().for_each(|child| self.add_top(child, &within));
+                visible(&union.lights).for_each(|lamp| self.add_top(lamp, &within));
             }
             graph::Shape::LightGroup(group) if !whole => {
                 let mut within = self.inside_of(object, around, &[]);
                 within.clipped_by = self.add_clips(object, around);
                 within.looks.light_group = Some(self.add_light_group(group, &within));
                 group.children.iter().for_each(|child| self.add_top(child, &within));
+                visible(&group.lights).for_each(|lamp| self.add_top(lamp, &within));
             }
             _ => {
                 if let Some(id) = self.add(object, around) {
@@ -339,6 +341,11 @@ impl<'a> Preparation<'a> {
             }
         }
     }
+}
+
+/// What lights look like.
+fn visible(lights: &[Shared<LightSource>]) -> impl Iterator<Item = &Object> {
+    lights.iter().filter_map(|light| light.looks_like.as_ref())
 }
 
 /// The place of a thing in a list, where equal things in equal spaces stand once.

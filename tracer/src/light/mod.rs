@@ -6,7 +6,10 @@ mod beam;
 pub use area::Area;
 pub use beam::Beam;
 
+use std::sync::Arc;
+
 use crate::color::Rgb;
+use crate::geometry::Geometry;
 use crate::math::Vec3;
 
 /// A light made ready for sampling.
@@ -26,8 +29,8 @@ pub struct Light {
     pub area: Option<Area>,
     /// How light thins out with distance.
     pub fade: Fade,
-    /// Index of the object that rays must pass, if any.
-    pub projected_through: Option<u32>,
+    /// An object that light must pass; what lies between it and the light throws no shadow.
+    pub projected_through: Option<Arc<Geometry>>,
     /// Whether media see the light.
     pub media_interaction: bool,
     /// Whether media dim the light.

@@ -1,5 +1,8 @@
 //! Lights: those of the scene, of unions and of light groups; the objects that some look like.
 
+use std::sync::Arc;
+
+use crate::accel::AcceleratorKind;
 use crate::geometry::Geometry;
 use crate::graph::light::{LightKind, LightSource};
 use crate::graph::scene::Scene;
@@ -20,14 +23,19 @@ pub fn visible(scene: &Scene) -> impl Iterator<Item = Object> + '_ {
 pub fn prepare(
     scene: &Scene,
     geometry: &Geometry,
+    kind: AcceleratorKind,
     unsupported: &mut Vec<Unsupported>,
 ) -> (Vec<Light>, Vec<Vec<u32>>) {
     let mut lights = Vec::new();
     let mut add = |source: &LightSource, space: Option<&Transform>| {
-        lights.push(light(source, space));
-        if source.projected_through.is_some() {
-            unsupported.push(Unsupported { feature: "projected_through".into(), source: String::new() });
+        let mut light = light(source, space);
+        if let Some(object) = &source.projected_through {
+            let object = object.clone().placed(space.copied().unwrap_or(Transform::IDENTITY));
+            let (window, missing) = crate::geometry::prepare(&[object], kind);
+            light.projected_through = Some(Arc::new(window));
+            unsupported.extend(missing);
         }
+        lights.push(light);
         lights.len() as u32 - 1
     };
     let mut global: Vec<u32> = scene.lights.iter().map(|source| add(source, None)).collect();

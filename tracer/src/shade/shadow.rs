@@ -14,19 +14,37 @@ const TOLERANCE: f64 = 1e-3;
 impl Tracer<'_> {
     /// The colour of a lamp's light after shadows.
     pub(super) fn shadowed(&mut self, number: u32, light: &Light, spot: &Spot, arrival: &Arrival) -> Rgb {
-        if light.shadowless || !self.scene.quality.shadows {
+        if !self.scene.quality.shadows {
             return arrival.color;
+        }
+        if light.shadowless {
+            return self.projected(light, spot, arrival).map_or(Rgb::BLACK, |_| arrival.color);
         }
         match &light.area {
             Some(area) if self.scene.quality.area_lights => {
                 self.area_shadow(number, light, area, spot, arrival)
             }
-            _ => self.point_shadow(number, spot, arrival),
+            _ => self.point_shadow(number, light, spot, arrival),
         }
     }
 
+    /// How far a shadow ray has to go: to the lamp, or to the object that the light is projected through; none where it
+    /// misses that.
+    fn projected(&mut self, light: &Light, spot: &Spot, arrival: &Arrival) -> Option<f64> {
+        let Some(window) = &light.projected_through else {
+            return Some(arrival.distance);
+        };
+        let ray = Ray { origin: spot.point, direction: arrival.direction };
+        let hit = window.nearest(&ray, TOLERANCE, arrival.distance, RayKind::Question, &mut self.counters)?;
+        Some(hit.crossing.t)
+    }
+
     /// Shadow of a single point of light.
-    pub(super) fn point_shadow(&mut self, number: u32, spot: &Spot, arrival: &Arrival) -> Rgb {
+    pub(super) fn point_shadow(&mut self, number: u32, light: &Light, spot: &Spot, arrival: &Arrival) -> Rgb {
+        let Some(distance) = self.projected(light, spot, arrival) else {
+            return Rgb::BLACK;
+        };
+        let arrival = &Arrival { distance, ..*arrival };
         let scene = self.scene;
         let ray = Ray { origin: spot.point, direction: arrival.direction };
         let limit = arrival.distance - TOLERANCE;
