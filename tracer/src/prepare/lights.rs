@@ -9,6 +9,7 @@ use crate::graph::scene::Scene;
 use crate::graph::{Modifiers, Object, Shared, Unsupported};
 use crate::light::{Area, Beam, Fade, Light};
 use crate::math::Transform;
+use crate::texture::Builder;
 
 /// The objects that lights of the scene look like; they throw no shadow.
 pub fn visible(scene: &Scene) -> impl Iterator<Item = Object> + '_ {
@@ -24,6 +25,7 @@ pub fn prepare(
     scene: &Scene,
     geometry: &Geometry,
     kind: AcceleratorKind,
+    patterns: &mut Builder,
     unsupported: &mut Vec<Unsupported>,
 ) -> (Vec<Light>, Vec<Vec<u32>>) {
     let mut lights = Vec::new();
@@ -31,7 +33,7 @@ pub fn prepare(
         let mut light = light(source, space);
         if let Some(object) = &source.projected_through {
             let object = object.clone().placed(space.copied().unwrap_or(Transform::IDENTITY));
-            let (window, missing) = crate::geometry::prepare(&[object], kind);
+            let (window, missing) = crate::geometry::prepare(&[object], kind, patterns);
             light.projected_through = Some(Arc::new(window));
             unsupported.extend(missing);
         }

@@ -29,7 +29,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
     let (geometry, mut unsupported) = geometry::prepare(&objects, kind, &mut patterns);
     let quality = Quality::new(settings.quality);
     let (textures, dresses) = textures::prepare(scene, &geometry, &quality, &mut patterns, &mut unsupported);
-    let (lights, light_sets) = lights::prepare(scene, &geometry, kind, &mut unsupported);
+    let (lights, light_sets) = lights::prepare(scene, &geometry, kind, &mut patterns, &mut unsupported);
     let (camera, missing) = Camera::new(&scene.camera);
     unsupported.extend(missing.map(|what| Unsupported { feature: what.into(), source: String::new() }));
     let interiors = geometry.interiors.iter().map(|worn| (*worn.item).clone()).collect();

@@ -91,7 +91,14 @@ impl Tracer<'_> {
     }
 
     /// Interference on a thin film: light of each wavelength gains or loses by its phase.
-    pub(super) fn film(&self, film: &Iridescence, spot: &Spot, normal: Vec3, towards: Vec3, light: Rgb) -> Rgb {
+    pub(super) fn film(
+        &self,
+        film: &Iridescence,
+        spot: &Spot,
+        normal: Vec3,
+        towards: Vec3,
+        light: Rgb,
+    ) -> Rgb {
         let cosines = normal.dot(towards).abs() + normal.dot(spot.path.ray.direction).abs();
         let mut thickness = film.thickness;
         if film.turbulence != 0.0 {

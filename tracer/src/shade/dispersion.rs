@@ -124,7 +124,9 @@ mod tests {
         for count in [2, 3, 7, 50, 100] {
             let sum = Band::all(count).fold(Rgb::BLACK, |sum, band| sum + band.hue());
             let mean = sum * (1.0 / count as f64);
-            assert!((mean.r - 0.994).abs() < 2e-3 && (mean.g - 1.0).abs() < 2e-3 && (mean.b - 0.996).abs() < 2e-3);
+            assert!(
+                (mean.r - 0.994).abs() < 2e-3 && (mean.g - 1.0).abs() < 2e-3 && (mean.b - 0.996).abs() < 2e-3
+            );
         }
     }
 

@@ -58,7 +58,8 @@ impl Tracer<'_> {
             return Rgb::BLACK;
         }
         let seen = self.reflected(spot, mirrored.normal, top, mirrored.weight);
-        let seen = if mirrored.exponent == 1.0 { seen } else { seen.map(|c| c.max(0.0).powf(mirrored.exponent)) };
+        let seen =
+            if mirrored.exponent == 1.0 { seen } else { seen.map(|c| c.max(0.0).powf(mirrored.exponent)) };
         seen.mul_each(mirrored.share)
     }
 

@@ -80,9 +80,7 @@ impl Tracer<'_> {
     ) -> (Radiance, bool) {
         match refracted(spot.path.ray.direction, normal, ratio) {
             Some(direction) => (self.trace(&onward(spot, direction), weight), false),
-            None => {
-                (Radiance { rgb: self.reflected(spot, normal, top, weight), ..Radiance::BLACK }, true)
-            }
+            None => (Radiance { rgb: self.reflected(spot, normal, top, weight), ..Radiance::BLACK }, true),
         }
     }
 }

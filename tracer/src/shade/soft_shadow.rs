@@ -80,8 +80,12 @@ impl Tracer<'_> {
         let offset = grid.area.displacement(&grid.axes, (at[0], at[1]), shift);
         let towards = grid.light.arrival_from(grid.light.location + offset, grid.spot.point);
         // The colour is that of the light's centre; only the way differs.
-        let color =
-            self.point_shadow(grid.number, grid.light, grid.spot, &Arrival { color: grid.arrival.color, ..towards });
+        let color = self.point_shadow(
+            grid.number,
+            grid.light,
+            grid.spot,
+            &Arrival { color: grid.arrival.color, ..towards },
+        );
         grid.known[index] = Some(color);
         color
     }
