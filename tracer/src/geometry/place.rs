@@ -7,9 +7,9 @@ use crate::graph;
 use crate::math::{Transform, Vec3};
 use crate::mesh::Mesh;
 use crate::shape::{
-    closed_curves, frame, segments, BicubicPatch, Blob, Cone, Cuboid, Disc, HeightField, Lathe, Lemon, Ovus,
-    Plane, Poly, Polygon, Prism, Quadric, Shape, Sor, Sphere, SphereSweep, Superellipsoid, Text, Torus,
-    Triangle,
+    closed_curves, frame, segments, BicubicPatch, Blob, Cone, Cuboid, Disc, HeightField, Isosurface, Lathe,
+    Lemon, Ovus, Plane, Poly, Polygon, Prism, Quadric, Shape, Sor, Sphere, SphereSweep, Superellipsoid, Text,
+    Torus, Triangle,
 };
 use crate::texture::Builder;
 
@@ -132,6 +132,10 @@ impl<'a> Placer<'a> {
                 let length = (s.cap - s.base).length();
                 let lemon = Lemon::new(s.base_radius, s.cap_radius, length, s.inner_radius, s.open);
                 at(Shape::Lemon(Box::new(lemon)), frame(s.base, s.cap))
+            }
+            S::Isosurface(s) => {
+                let function = self.patterns.function(&s.function).ok_or("isosurface of such a function")?;
+                placed(Shape::Isosurface(Arc::new(Isosurface::new(s, function))))
             }
             other => Err(other.name().to_lowercase()),
         }

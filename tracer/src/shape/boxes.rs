@@ -18,22 +18,10 @@ impl Cuboid {
     pub fn new(a: Vec3, b: Vec3) -> Cuboid {
         Cuboid { min: a.min(b), max: a.max(b) }
     }
-}
 
-impl Primitive for Cuboid {
-    fn bounds(&self) -> Bounds {
-        Bounds { min: self.min, max: self.max }
-    }
-
+    /// Where the line of a ray enters and leaves.
     #[inline]
-    fn intersect(
-        &self,
-        ray: &Ray,
-        from: f64,
-        limit: f64,
-        _counters: &mut Counters,
-        offer: &mut impl FnMut(Crossing, f64) -> f64,
-    ) -> f64 {
+    pub fn span(&self, ray: &Ray) -> Option<[Crossing; 2]> {
         let mut enter = Crossing::at(f64::NEG_INFINITY);
         let mut leave = Crossing::at(f64::INFINITY);
         for axis in 0..3 {
@@ -41,7 +29,7 @@ impl Primitive for Cuboid {
             let face = 2 * axis as u32;
             if d.abs() < 1e-10 {
                 if o < self.min[axis] || o > self.max[axis] {
-                    return limit;
+                    return None;
                 }
                 continue;
             }
@@ -58,10 +46,28 @@ impl Primitive for Cuboid {
                 leave = far;
             }
         }
-        if enter.t > leave.t {
-            return limit;
+        (enter.t <= leave.t).then_some([enter, leave])
+    }
+}
+
+impl Primitive for Cuboid {
+    fn bounds(&self) -> Bounds {
+        Bounds { min: self.min, max: self.max }
+    }
+
+    #[inline]
+    fn intersect(
+        &self,
+        ray: &Ray,
+        from: f64,
+        limit: f64,
+        _counters: &mut Counters,
+        offer: &mut impl FnMut(Crossing, f64) -> f64,
+    ) -> f64 {
+        match self.span(ray) {
+            Some(span) => offer_rising(span, from.max(NEAREST), limit, offer),
+            None => limit,
         }
-        offer_rising([enter, leave], from.max(NEAREST), limit, offer)
     }
 
     fn inside(&self, p: Vec3) -> bool {

@@ -9,9 +9,11 @@ mod bicubic_patch;
 mod blob;
 mod boxes;
 mod cone;
+mod container;
 mod curve;
 mod disc;
 mod height_field;
+mod isosurface;
 mod lathe;
 mod lemon;
 mod ovus;
@@ -37,6 +39,7 @@ pub use cone::{frame, Cone};
 pub use curve::{closed_curves, segments, Segment};
 pub use disc::Disc;
 pub use height_field::HeightField;
+pub use isosurface::Isosurface;
 pub use lathe::Lathe;
 pub use lemon::Lemon;
 pub use ovus::Ovus;
@@ -229,6 +232,7 @@ primitives! {
     Superellipsoid(Superellipsoid) = "superellipsoid",
     HeightField(Arc<HeightField>) = "height_field",
     Blob(Arc<Blob>) = "blob",
+    Isosurface(Arc<Isosurface>) = "isosurface",
     Text(Arc<Text>) = "text",
     Ovus(Box<Ovus>) = "ovus",
     Lemon(Box<Lemon>) = "lemon",

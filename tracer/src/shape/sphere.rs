@@ -17,6 +17,23 @@ pub struct Sphere {
     pub radius: f64,
 }
 
+impl Sphere {
+    /// Where the line of a ray enters and leaves.
+    #[inline]
+    pub fn span(&self, ray: &Ray) -> Option<[Crossing; 2]> {
+        let to_center = self.center - ray.origin;
+        let scale = 1.0 / ray.direction.length_squared();
+        let closest = to_center.dot(ray.direction) * scale;
+        let apart = (to_center - ray.direction * closest).length_squared();
+        let square = self.radius * self.radius - apart;
+        if square < 0.0 {
+            return None;
+        }
+        let half = (square * scale).sqrt();
+        Some([closest - half, closest + half].map(Crossing::at))
+    }
+}
+
 /// The angle around y from the x axis towards z, as a number in 0..1.
 pub fn longitude(p: Vec3) -> f64 {
     let turns = p.z.atan2(p.x) / TAU;
@@ -47,16 +64,10 @@ impl Primitive for Sphere {
         _counters: &mut Counters,
         offer: &mut impl FnMut(Crossing, f64) -> f64,
     ) -> f64 {
-        let to_center = self.center - ray.origin;
-        let scale = 1.0 / ray.direction.length_squared();
-        let closest = to_center.dot(ray.direction) * scale;
-        let apart = (to_center - ray.direction * closest).length_squared();
-        let square = self.radius * self.radius - apart;
-        if square < 0.0 {
-            return limit;
+        match self.span(ray) {
+            Some(span) => offer_rising(span, from.max(NEAREST), limit, offer),
+            None => limit,
         }
-        let half = (square * scale).sqrt();
-        offer_rising([closest - half, closest + half].map(Crossing::at), from.max(NEAREST), limit, offer)
     }
 
     fn inside(&self, point: Vec3) -> bool {
