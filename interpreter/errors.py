@@ -38,12 +38,13 @@ def where(place: Place) -> str:
     return f"{file}:{line}:{column}: " if line else f"{file}: " if file else ""
 
 
-def format_error(error: SdlError, sources: Mapping[str, str]) -> str:
+def format_error(error: SdlError, sources: Mapping[str, str], severity: str = "error") -> str:
     """The error as people read it: place, message, source line with a caret, hint, open macros and includes.
 
-    ``sources`` maps file names, as they stand in places, to their text; what is missing is left out.
+    ``sources`` maps file names, as they stand in places, to their text; what is missing is left out. ``severity``
+    stands before the message.
     """
-    lines = [str(error)]
+    lines = [f"{where(error.place)}{severity}: {error.message}"]
     file, line, column = error.place
     text = sources.get(file, "").splitlines()
     if 0 < line <= len(text):

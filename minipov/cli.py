@@ -1,4 +1,4 @@
-"""The program: `minipov scene.pov +W640 +H480`, and the subcommands `diff` and `check`.
+"""The program: `minipov scene.pov +W640 +H480`, and the subcommands `check`, `diff` and `lsp`.
 
 What a run does not need is not imported: `minipov --version` answers before Python has loaded NumPy.
 """
@@ -19,7 +19,7 @@ from minipov.exit_status import INTERRUPTED, OK, SCENE_ERROR, USAGE_ERROR
 from minipov.include_path import startup_ini
 from minipov.options import UsageError, parse_command_line
 
-SUBCOMMANDS = {"diff": "minipov.compare.command", "lsp": "minipov.editor.server.command"}
+SUBCOMMANDS = {"check": "minipov.check", "diff": "minipov.compare.command", "lsp": "minipov.editor.server.command"}
 """Modules whose ``main(arguments) -> int`` a first word calls."""
 
 

@@ -8,7 +8,9 @@ from minipov.option_table import OPTIONS, Option
 
 _USAGE = """\
 usage: minipov SCENE.pov|FILE.ini[Section] [options]
+       minipov check SCENE.pov ... [--json]
        minipov diff A.png B.png | SCENE.pov | FOLDER
+       minipov lsp
 
 Options can be written as POV-Ray's switches (+W640, -D), as INI statements (Width=640) or with two dashes
 (--width 640, --no-antialias). Includes are looked for beside the scene, in the current folder, in +L folders, in POVINC

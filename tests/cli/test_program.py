@@ -19,7 +19,9 @@ global_settings { assumed_gamma 1 max_trace_level 200 adc_bailout 0 }
 camera { location <0, 0, -3> look_at 0 }
 light_source { <3, 5, -5> 1 area_light 4*x, 4*y, 60, 60 }
 background { rgb 0.5 }
-#for (I, 0, 40) sphere { <mod(I, 7) - 3, int(I / 7) - 3, I / 20>, 0.6 pigment { rgb 1 } finish { reflection 0.95 } } #end
+#for (I, 0, 40)
+  sphere { <mod(I, 7) - 3, int(I / 7) - 3, I / 20>, 0.6 pigment { rgb 1 } finish { reflection 0.95 } }
+#end
 """
 """Takes far longer to render than any test waits."""
 
