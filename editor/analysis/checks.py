@@ -34,7 +34,7 @@ def problems(document: Document, library: Library) -> list[Problem]:
 def _missing_files(document: Document, library: Library) -> Iterator[Problem]:
     """Included files that are not there, but for those that the scene itself writes."""
     for include in includes(document):
-        if library.find(include.file, document) is None and include.file not in _written(document):
+        if library.find(include.file, document) is None and include.file not in document.known("written", _written):
             close = get_close_matches(include.file, library.files_for("", document), 1)
             hint = f"did you mean '{close[0]}'?" if close else None
             yield Problem(include.start, include.end, f"cannot find '{include.file}'", hint, certain=False)
@@ -51,9 +51,7 @@ def _written(document: Document) -> set[str]:
 
 def _words_out_of_place(document: Document) -> Iterator[Problem]:
     for start, statement in document.placed():
-        if "misplaced" not in statement.found:
-            statement.found["misplaced"] = list(_misplaced(statement))
-        for problem in statement.found["misplaced"]:
+        for problem in statement.known("misplaced", lambda statement: list(_misplaced(statement))):
             yield problem.moved(start)
 
 
@@ -88,7 +86,7 @@ def _unknown_names(document: Document, library: Library) -> list[Problem]:
         return []
     known = {declaration.name for _, declaration in library.declared(document)}
     for one in chain:
-        known |= _asked_about(one)
+        known |= one.known("asked", _asked_about)
     found: list[Problem] = []
     for start, statement in document.placed():
         for token in names_in(statement).used:
@@ -109,14 +107,18 @@ def _unknown(token: Token, statement: Statement, known: set[str]) -> Problem:
 
 def _asked_about(document: Document) -> set[str]:
     """The names that the text asks for with ``#ifdef``: the command line may declare them."""
-    if "asked" not in document.found:
-        asked = set()
-        for statement in document.statements:
-            for before, token in zip(statement.tokens, statement.tokens[2:], strict=False):
-                if before.type in _ASKING or before.value == "defined":
-                    asked.add(str(token.value))
-        document.found["asked"] = asked
-    return document.found["asked"]  # type: ignore[no-any-return]  # put in above
+    asked = set()
+    for statement in document.statements:
+        asked |= statement.known("asked", _asked_in)
+    return asked
+
+
+def _asked_in(statement: Statement) -> set[str]:
+    return {
+        str(token.value)
+        for before, token in zip(statement.tokens, statement.tokens[2:], strict=False)
+        if before.type in _ASKING or before.value == "defined"
+    }
 
 
 def _at(token: Token, message: str, hint: str | None) -> Problem:

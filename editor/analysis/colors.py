@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Final
 
 from lark import Token
@@ -29,9 +30,7 @@ def color_literals(document: Document) -> Iterator[ColorLiteral]:
     """All colour literals of a text, from top to bottom."""
     linear = is_linear(document)
     for start, statement in document.placed():
-        if "colors" not in statement.found:
-            statement.found["colors"] = list(_literals(statement))
-        for begin, end, word, terms in statement.found["colors"]:
+        for begin, end, word, terms in statement.known("colors", lambda statement: list(_literals(statement))):
             red, green, blue = (terms if len(terms) > 1 else terms * 3)[:3]
             encode = linear and not word.startswith("s")
             shown = tuple(max(0.0, min(1.0, _to_srgb(c) if encode else c)) for c in (red, green, blue))
@@ -49,12 +48,23 @@ def is_linear(document: Document) -> bool:
     """Whether ``rgb`` means linear light: ``assumed_gamma 1``, or none said in a scene of version 3.7 and later."""
     version = 0.0
     for statement in document.statements:
-        for token, value in zip(statement.tokens, statement.tokens[1:], strict=False):
-            if token.value == "assumed_gamma" and token.type == "WORD":
-                return value.type == "NUMBER" and float(value.value) == 1.0
-            if token.type == "VERSION" and value.type == "NUMBER":
-                version = version or float(value.value)
+        for word, value in statement.known("gamma", _gamma_words):
+            if word == "assumed_gamma":
+                return value == 1.0
+            version = version or value
     return version >= 3.7
+
+
+def _gamma_words(statement: Statement) -> list[tuple[str, float]]:
+    """What a statement says about ``assumed_gamma`` and ``version``: the number behind the word; srgb counts as 2.2."""
+    found = []
+    for token, value in pairwise(statement.tokens):
+        number = float(value.value) if value.type == "NUMBER" else 2.2
+        if token.type == "VERSION":
+            found.append(("version", number))
+        elif token.value == "assumed_gamma" and token.type == "WORD":
+            found.append(("assumed_gamma", number))
+    return found
 
 
 def _literals(statement: Statement) -> Iterator[tuple[int, int, str, tuple[float, ...]]]:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cached_property
 from itertools import accumulate
-from typing import Any
+from typing import Any, TypeVar
 
 from lark import Token
 from minipov.editor.analysis.statements import Statement, split
 from minipov.grammar.lexer import speaks_38
+
+T = TypeVar("T")
 
 
 class Document:
@@ -26,6 +28,12 @@ class Document:
         self.version_38 = speaks_38(text)
         self.statements = _statements(text, self.version_38, before)
         self.starts = list(accumulate((len(s.text) for s in self.statements[:-1]), initial=0))
+
+    def known(self, name: str, work: Callable[[Document], T]) -> T:
+        """What ``work`` finds out about the text, worked out once."""
+        if name not in self.found:
+            self.found[name] = work(self)
+        return self.found[name]  # type: ignore[no-any-return]  # put in above
 
     def edited(self, text: str) -> Document:
         """The document after an edit."""

@@ -25,7 +25,7 @@ class Library:
 
     def put(self, path: str, text: str) -> Document:
         """Open a text, or take its next state."""
-        before = self._open.get(path)
+        before = self._open.get(path) or (self._read[path][1] if path in self._read else None)
         self._open[path] = Document(text, path) if before is None else before.edited(text)
         return self._open[path]
 

@@ -65,9 +65,7 @@ class Names:
 
 def names_in(statement: Statement) -> Names:
     """The names of a statement, at offsets from its start."""
-    if "names" not in statement.found:
-        statement.found["names"] = _Reader(statement).read()
-    return statement.found["names"]  # type: ignore[no-any-return]  # put in above
+    return statement.known("names", lambda statement: _Reader(statement).read())
 
 
 def declarations(document: Document) -> Iterator[Declaration]:
@@ -86,13 +84,15 @@ def includes(document: Document) -> Iterator[Include]:
 
 def globals_of(document: Document) -> dict[str, Declaration]:
     """The names that hold outside macros too; of several declarations of a name, the first."""
-    if "globals" not in document.found:
-        table: dict[str, Declaration] = {}
-        for declaration in declarations(document):
-            if declaration.scope is None:
-                table.setdefault(declaration.name, declaration)
-        document.found["globals"] = table
-    return document.found["globals"]  # type: ignore[no-any-return]  # put in above
+    return document.known("globals", _globals)
+
+
+def _globals(document: Document) -> dict[str, Declaration]:
+    table: dict[str, Declaration] = {}
+    for declaration in declarations(document):
+        if declaration.scope is None:
+            table.setdefault(declaration.name, declaration)
+    return table
 
 
 def local_at(document: Document, name: str, offset: int) -> Declaration | None:

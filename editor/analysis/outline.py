@@ -28,6 +28,10 @@ class Entry:
     from_: int
     to: int
 
+    def moved(self, by: int) -> Entry:
+        """The same entry further down the text."""
+        return Entry(self.name, self.kind, self.detail, self.start + by, self.end + by, self.from_ + by, self.to + by)
+
 
 def outline(document: Document) -> list[Entry]:
     """The declarations and scene items of a text, from top to bottom."""
@@ -41,11 +45,11 @@ def outline(document: Document) -> list[Entry]:
             found.append(
                 Entry(one.name, one.kind, detail, one.start + start, one.end + start, one.from_ + start, one.to + start)
             )
-        found += _blocks(start, statement)
+        found += [entry.moved(start) for entry in statement.known("blocks", lambda statement: list(_blocks(statement)))]
     return sorted(found, key=lambda entry: entry.from_)
 
 
-def _blocks(start: int, statement: Statement) -> Iterator[Entry]:
+def _blocks(statement: Statement) -> Iterator[Entry]:
     """Blocks that stand by themselves, not the value of a declaration."""
     depth, open_block, previous = 0, None, None
     for token in statement.tokens:
@@ -61,8 +65,8 @@ def _blocks(start: int, statement: Statement) -> Iterator[Entry]:
         elif kind in {"RBRACE", "LOOSE_RBRACE"}:
             depth -= 1
             if depth <= 0 and open_block is not None:
-                begin, end = start + (open_block.start_pos or 0), start + (open_block.end_pos or 0)
-                yield Entry(str(open_block.value), "block", "", begin, end, begin, start + (token.end_pos or 0))
+                begin, end = open_block.start_pos or 0, open_block.end_pos or 0
+                yield Entry(str(open_block.value), "block", "", begin, end, begin, token.end_pos or 0)
                 open_block = None
         elif kind in {"DECLARE", "LOCAL"}:
             return
@@ -73,11 +77,15 @@ def folds(document: Document) -> list[tuple[int, int, bool]]:
     """First and last line, from 0, of blocks, directive bodies and comments; the last tells whether it is a comment."""
     found: list[tuple[int, int, bool]] = []
     for start, statement in document.placed():
-        if "folds" not in statement.found:
-            statement.found["folds"] = sorted(_folds(statement))
         line = document.line_of(start)
-        found += [(first + line, last + line, comment) for first, last, comment in statement.found["folds"]]
+        found += [
+            (first + line, last + line, comment) for first, last, comment in statement.known("folds", _sorted_folds)
+        ]
     return found
+
+
+def _sorted_folds(statement: Statement) -> list[tuple[int, int, bool]]:
+    return sorted(_folds(statement))
 
 
 def _folds(statement: Statement) -> Iterator[tuple[int, int, bool]]:

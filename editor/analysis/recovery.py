@@ -125,7 +125,10 @@ def _inserted(kind: str, before: Token) -> Token:
 
 
 def _problem(error: UnexpectedToken, statement: Statement) -> Problem:
-    return _placed(explain(error, statement.text, ""), statement)
+    explained = explain(error, statement.text, "")
+    if error.token.type == "$END" and not explained.hint:
+        explained.message = "this statement is not finished"
+    return _placed(explained, statement)
 
 
 def _placed(error: SdlSyntaxError, statement: Statement) -> Problem:

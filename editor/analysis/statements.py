@@ -6,15 +6,17 @@ one is relative to its start and stays with it while other parts of the text cha
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Any, Final
+from typing import Any, Final, TypeVar
 
 from lark import Token
 from minipov.editor.analysis.language import BLOCKS
 from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.scanning import line_break, scan
+
+T = TypeVar("T")
 
 OPENING: Final = frozenset({"IF", "IFDEF", "IFNDEF", "SWITCH", "WHILE", "FOR", "MACRO"})
 DIVIDING: Final = frozenset({"ELSE", "ELSEIF", "CASE", "RANGE"})
@@ -42,6 +44,12 @@ class Statement:
     problems: list[Problem]
     open: bool = False
     found: dict[str, Any] = field(default_factory=dict)
+
+    def known(self, name: str, work: Callable[[Statement], T]) -> T:
+        """What ``work`` finds out about the statement, worked out once."""
+        if name not in self.found:
+            self.found[name] = work(self)
+        return self.found[name]  # type: ignore[no-any-return]  # put in above
 
 
 class _Openings:

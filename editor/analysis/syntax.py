@@ -10,6 +10,7 @@ from minipov.editor.analysis.document import Document
 from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.recovery import parse
 from minipov.editor.analysis.statements import DIVIDING, OPENING, Statement
+from minipov.grammar.braces import mark_loose_braces
 
 
 def tree_of(statement: Statement) -> tuple[Any, ...]:
@@ -28,9 +29,7 @@ def syntax_problems(document: Document) -> list[Problem]:
 
 
 def _parsed(statement: Statement) -> tuple[tuple[Any, ...], list[Problem]]:
-    if "parsed" not in statement.found:
-        statement.found["parsed"] = parse(statement)
-    return statement.found["parsed"]  # type: ignore[no-any-return]  # put in above
+    return statement.known("parsed", parse)
 
 
 def _stray_braces(document: Document) -> Iterator[Problem]:
@@ -43,19 +42,16 @@ def _stray_braces(document: Document) -> Iterator[Problem]:
     from_branches = 0
     for start, statement in document.placed():
         opened: list[Token] = []
-        loose = _LooseBraces()
-        for token in statement.tokens:
-            if loose.take(token):
-                continue
+        loose = statement.known("loose", _LooseBraces)
+        for token in loose.outside:
             if token.type == "LOOSE_LBRACE":
                 opened.append(token)
-            elif token.type == "LOOSE_RBRACE":
-                if opened:
-                    opened.pop()
-                elif from_branches > 0:
-                    from_branches -= 1
-                else:
-                    yield _brace(token, start, "this '}' closes nothing")
+            elif opened:
+                opened.pop()
+            elif from_branches > 0:
+                from_branches -= 1
+            else:
+                yield _brace(token, start, "this '}' closes nothing")
         if loose.unknown:
             return
         from_branches += loose.open
@@ -68,27 +64,30 @@ def _brace(token: Token, start: int, message: str, hint: str | None = None) -> P
 
 
 class _LooseBraces:
-    """How many braces the directives of a statement leave open."""
+    """The braces of a statement without a partner: those ``outside`` directives, and how many directives leave open."""
 
-    def __init__(self) -> None:
+    def __init__(self, statement: Statement) -> None:
+        self.outside: list[Token] = []
         self.open = 0
         self.unknown = False
         self._bodies: list[tuple[str, list[int]]] = []
+        mark_loose_braces(statement.tokens)
+        for token in statement.tokens:
+            self._take(token)
 
-    def take(self, token: Token) -> bool:
-        """Whether the token belongs to a directive."""
+    def _take(self, token: Token) -> None:
         kind = token.type
         if kind in OPENING:
             self._bodies.append((kind, [0]))
-        elif not self._bodies:
-            return False
-        elif kind in DIVIDING:
-            self._bodies[-1][1].append(0)
-        elif kind == "END":
-            self._close(*self._bodies.pop())
         elif kind in {"LOOSE_LBRACE", "LOOSE_RBRACE"}:
-            self._bodies[-1][1][-1] += 1 if kind == "LOOSE_LBRACE" else -1
-        return True
+            if self._bodies:
+                self._bodies[-1][1][-1] += 1 if kind == "LOOSE_LBRACE" else -1
+            else:
+                self.outside.append(token)
+        elif self._bodies and kind in DIVIDING:
+            self._bodies[-1][1].append(0)
+        elif self._bodies and kind == "END":
+            self._close(*self._bodies.pop())
 
     def _close(self, kind: str, counts: list[int]) -> None:
         bodies = counts[1:] if kind == "SWITCH" else counts

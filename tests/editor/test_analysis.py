@@ -51,7 +51,8 @@ def test_wrong_scenes_can_be_asked(file: Path) -> None:
     assert all(0 <= one.start <= one.end <= len(document.text) for one in found)
 
 
-PIECES = ["{", "}", "(", ")", "<", ">", "[", "#if (1)", "#else", "#end", '"', "/*", "*/", "//", "\n", "sphere", "A", "1",
+PIECES = ["{", "}", "(", ")", "<", ">", "[", "#if (1)", "#else", "#end",
+          '"', "/*", "*/", "//", "\n", "sphere", "A", "1",
           "#declare B = ", "#macro M(P)", "=", ";", ",", " ", "@", "#", "1.2.3", "function", "rgb", "."]  # fmt: skip
 
 
