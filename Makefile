@@ -1,6 +1,6 @@
 # Two commands: `make demo` renders a first picture, `make test` runs all tests. They prepare everything they need.
 .DEFAULT_GOAL := help
-.PHONY: help build quick demo test check parity bench clean rust povray chromium
+.PHONY: help build quick demo test editor check parity bench clean rust povray chromium
 SHELL := /bin/bash
 
 # The first that runs and is new enough: a name on the PATH may be a version manager's shim for a Python that is not there.
@@ -50,6 +50,12 @@ chromium:
 test: build povray chromium ## run cargo test and pytest (installs POV-Ray and Chromium, which they need)
 	$(CARGO) test --quiet --manifest-path tracer/Cargo.toml
 	$(BIN)/python -m pytest -q -n 2
+	@if command -v npm >/dev/null; then $(MAKE) --no-print-directory editor; \
+	  else echo "Node.js is missing: the VS Code extension was not tested"; fi
+
+editor: ## test the VS Code extension and pack it (needs Node.js)
+	cd editor/vscode && npm ci --silent && npm test --silent && npm run --silent package
+	@echo "The extension is editor/vscode/out/minipov.vsix"
 
 # mypy sees the five rooms as one package through links, as an installation does.
 MYPY_TREE := build/mypy

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, ClassVar
 
 from minipov.editor.highlight import words
@@ -9,6 +10,8 @@ from pygments.lexer import RegexLexer, bygroups
 from pygments.token import Comment, Keyword, Name, Number, Operator, Punctuation, String, Whitespace
 
 _NAME = r"[A-Za-z_]\w*"
+_groups: Callable[..., Any] = bygroups
+"""Pygments' function, which has no type of its own."""
 
 
 class SdlLexer(RegexLexer):
@@ -27,11 +30,11 @@ class SdlLexer(RegexLexer):
             (r"/\*", Comment.Multiline, "comment"),
             (r'"(?:[^"\\]|\\.)*"', String.Double),
             (rf"(#\s*)(macro)(\s+)({_NAME})",
-             bygroups(Comment.Preproc, Keyword.Declaration, Whitespace, Name.Function)),
+             _groups(Comment.Preproc, Keyword.Declaration, Whitespace, Name.Function)),
             (rf"(#\s*)(declare|local)(\s+)({_NAME})",
-             bygroups(Comment.Preproc, Keyword.Declaration, Whitespace, Name.Variable)),
-            (rf"(#\s*)({words.alternatives(words.CONTROL)})", bygroups(Comment.Preproc, Keyword)),
-            (rf"(#\s*)({words.alternatives(words.DECLARING)})", bygroups(Comment.Preproc, Keyword.Declaration)),
+             _groups(Comment.Preproc, Keyword.Declaration, Whitespace, Name.Variable)),
+            (rf"(#\s*)({words.alternatives(words.CONTROL)})", _groups(Comment.Preproc, Keyword)),
+            (rf"(#\s*)({words.alternatives(words.DECLARING)})", _groups(Comment.Preproc, Keyword.Declaration)),
             (r"#", Comment.Preproc),
             (words.alternatives(words.CONSTANTS), Keyword.Constant),
             (words.alternatives(words.FUNCTIONS), Name.Builtin),
