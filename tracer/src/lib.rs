@@ -16,6 +16,7 @@ pub mod mesh;
 pub mod noise;
 pub mod pattern;
 pub mod prepare;
+pub mod radiosity;
 pub mod render;
 pub mod shade;
 pub mod shape;

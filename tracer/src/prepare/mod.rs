@@ -15,6 +15,7 @@ use crate::geometry;
 use crate::graph::settings::{Accelerator, RenderSettings};
 use crate::graph::{self, Unsupported};
 use crate::noise::NoiseGenerator;
+use crate::radiosity::Settings;
 use crate::texture::Builder;
 
 /// Makes a scene ready for rendering; what cannot be rendered is left out and listed.
@@ -47,6 +48,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
         sky,
         atmosphere,
         quality,
+        radiosity: radiosity(scene, &quality),
         uses_uv: true,
         max_trace_level: global.max_trace_level,
         adc_bailout: global.adc_bailout,
@@ -55,4 +57,9 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
     };
     prepared.place_camera();
     (prepared, unsupported)
+}
+
+/// How light between surfaces is gathered, if it is.
+fn radiosity(scene: &graph::scene::Scene, quality: &Quality) -> Option<Settings> {
+    scene.settings.radiosity.as_ref().filter(|_| quality.volumes).map(Settings::from)
 }

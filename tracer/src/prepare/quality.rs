@@ -13,7 +13,7 @@ pub struct Quality {
     pub reflection: bool,
     /// What is behind transparent surfaces.
     pub refraction: bool,
-    /// Media, fog.
+    /// Media, fog, radiosity.
     pub volumes: bool,
 }
 

@@ -8,6 +8,7 @@ use crate::geometry::{Geometry, NodeId};
 use crate::graph::Interior;
 use crate::light::Light;
 use crate::noise::NoiseGenerator;
+use crate::radiosity;
 use crate::shade::{BodyId, Interiors, Spot, Texture, TextureId};
 
 /// A scene ready for rendering.
@@ -35,6 +36,8 @@ pub struct Scene {
     pub quality: Quality,
     /// Whether any texture asks for surface coordinates.
     pub uses_uv: bool,
+    /// How light between surfaces is gathered, if it is.
+    pub radiosity: Option<radiosity::Settings>,
     /// Longest chain of rays.
     pub max_trace_level: u32,
     /// Rays of less weight are not shot.

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::scene::Dress;
 use super::Quality;
+use crate::color::Rgb;
 use crate::geometry::Geometry;
 use crate::graph::scene::Scene;
 use crate::graph::texture as graph;
@@ -20,8 +21,17 @@ pub fn prepare(
     patterns: &mut texture::Builder,
     unsupported: &mut Vec<Unsupported>,
 ) -> (Vec<Texture>, Vec<Dress>) {
-    let mut builder =
-        Builder { scene, quality, patterns, unsupported, textures: Vec::new(), known: HashMap::new() };
+    // Gathered light takes the place of ambient light, but not in old scenes (probed).
+    let gathers = scene.settings.radiosity.is_some() && quality.volumes && scene.version >= 3.7;
+    let ambient_light = if gathers { Rgb::BLACK } else { scene.settings.ambient_light };
+    let mut builder = Builder {
+        ambient_light,
+        quality,
+        patterns,
+        unsupported,
+        textures: Vec::new(),
+        known: HashMap::new(),
+    };
     let mut dresses: Vec<Dress> = Vec::new();
     for worn in &geometry.textures {
         let texture = builder.add(&worn.item);
@@ -38,7 +48,7 @@ pub fn prepare(
 }
 
 struct Builder<'a> {
-    scene: &'a Scene,
+    ambient_light: Rgb,
     quality: &'a Quality,
     patterns: &'a mut texture::Builder,
     unsupported: &'a mut Vec<Unsupported>,
@@ -105,7 +115,7 @@ impl Builder<'_> {
         Layer {
             pigment: quick.map_or_else(|| self.patterns.pigment(&plain.pigment), Pigment::Solid),
             normal: plain.normal.as_ref().map(|node| self.patterns.normal(node)),
-            finish: Finish::new(&plain.finish, self.scene.settings.ambient_light),
+            finish: Finish::new(&plain.finish, self.ambient_light),
         }
     }
 

@@ -11,12 +11,13 @@ use super::Picture;
 use crate::accel::Counters;
 use crate::graph::settings::RenderSettings;
 use crate::prepare::Scene;
+use crate::radiosity::{Cache, Indirect, Settings};
 use crate::shade::Tracer;
 
 /// Everything that the threads of one render share.
 pub struct Job {
-    scene: Scene,
-    settings: RenderSettings,
+    pub(super) scene: Scene,
+    pub(super) settings: RenderSettings,
     tiles: Vec<Tile>,
     picture: Picture,
     done: AtomicUsize,
@@ -56,20 +57,40 @@ impl Job {
     pub fn run(&self) {
         let threads = rayon::ThreadPoolBuilder::new().num_threads(self.settings.threads).build();
         match threads {
-            Ok(pool) => pool.install(|| self.render_tiles()),
+            Ok(pool) => pool.install(|| self.render_passes()),
             // Without threads of its own the render uses those that are there.
-            Err(_) => self.render_tiles(),
+            Err(_) => self.render_passes(),
         }
     }
 
-    fn render_tiles(&self) {
+    fn render_passes(&self) {
+        let settings = self.scene.radiosity.as_ref();
+        let gathered = settings.map(|settings| (settings, self.gather_light(settings)));
+        self.render_tiles(gathered.as_ref().map(|(settings, cache)| (*settings, cache)));
+    }
+
+    /// A tracer for one thread.
+    pub(super) fn tracer(&self) -> Tracer<'_> {
+        Tracer::new(&self.scene, &self.cancelled)
+    }
+
+    /// Adds what a thread counted.
+    pub(super) fn count(&self, tracer: &mut Tracer) {
+        let counted = std::mem::take(&mut tracer.counters);
+        self.counters.lock().expect("merging does not panic").merge(&counted);
+    }
+
+    fn render_tiles(&self, gathered: Option<(&Settings, &Cache)>) {
         let size = Size { width: self.settings.width, height: self.settings.height };
         self.tiles.par_iter().with_max_len(1).for_each_init(
-            || Tracer::new(&self.scene, &self.cancelled),
+            || self.tracer(),
             |tracer, tile| {
                 if self.is_cancelled() {
                     return;
                 }
+                tracer.indirect = gathered.map(|(settings, cache)| {
+                    Indirect::new(cache, settings.error_bound, !settings.always_sample)
+                });
                 let antialiasing = self.settings.antialiasing.as_ref();
                 let colors = tile.render(&mut View { tracer, size }, antialiasing);
                 // A tile cut short is no part of the picture.
@@ -77,8 +98,7 @@ impl Job {
                     return;
                 }
                 self.picture.put(tile, &colors);
-                let counted = std::mem::take(&mut tracer.counters);
-                self.counters.lock().expect("merging does not panic").merge(&counted);
+                self.count(tracer);
                 self.done.fetch_add(colors.len(), Ordering::Relaxed);
             },
         );

@@ -3,6 +3,7 @@
 mod antialias;
 mod job;
 mod picture;
+mod pretrace;
 mod random;
 mod tile;
 mod view;

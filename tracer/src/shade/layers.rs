@@ -102,6 +102,11 @@ impl Tracer<'_> {
             if finish.lit {
                 own += self.lamp_light(spot, finish, normal, color.rgb, opacity);
             }
+            if finish.diffuse[0] != 0.0 && self.indirect.is_some() {
+                let share = finish.diffuse[0] * opacity;
+                let light = self.indirect_light(spot, normal, weight * through * share);
+                own += light.mul_each(color.rgb) * share;
+            }
             seen.rgb += own.mul_each(filter);
             let mut passes = passing(&color);
             if let Some(mirror) = &finish.reflection {

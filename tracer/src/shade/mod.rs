@@ -5,6 +5,7 @@ mod dispersion;
 mod finish;
 mod frame;
 mod highlight;
+mod indirect;
 mod interiors;
 mod layers;
 mod reflect;
@@ -27,6 +28,7 @@ use crate::color::Rgb;
 use crate::geometry::NodeId;
 use crate::math::Ray;
 use crate::prepare::Scene;
+use crate::radiosity::Indirect;
 use crate::render::Random;
 
 /// Hits nearer than this are the surface that the ray starts from.
@@ -88,6 +90,8 @@ pub struct Tracer<'s> {
     mirrors: Vec<Mirrored>,
     /// Scratch for textures seen together at one point.
     weights: Vec<(Option<u32>, f64)>,
+    /// Light between surfaces, where the scene asks for it.
+    pub indirect: Option<Indirect<'s>>,
     /// Set by someone who no longer wants the picture: rays then see nothing, at once.
     cancelled: &'s AtomicBool,
 }
@@ -105,14 +109,20 @@ impl<'s> Tracer<'s> {
             grid: Vec::new(),
             mirrors: Vec::new(),
             weights: Vec::new(),
+            indirect: None,
             cancelled,
         }
     }
 
     /// Light arriving along a ray that counts with `weight` in the pixel.
     pub fn trace(&mut self, path: &Path, weight: f64) -> Radiance {
+        self.trace_far(path, weight).0
+    }
+
+    /// The same, with the distance to what is seen.
+    fn trace_far(&mut self, path: &Path, weight: f64) -> (Radiance, f64) {
         if self.gives_up(weight) {
-            return Radiance::BLACK;
+            return (Radiance::BLACK, f64::INFINITY);
         }
         self.depth += 1;
         let seen = self.follow(path, weight);
@@ -128,7 +138,7 @@ impl<'s> Tracer<'s> {
         self.straight += 1;
         let seen = self.follow(path, weight);
         self.straight -= 1;
-        seen
+        seen.0
     }
 
     /// Whether a further ray would be too deep or too weak.
@@ -136,9 +146,9 @@ impl<'s> Tracer<'s> {
         self.depth >= self.scene.max_trace_level || weight < self.scene.adc_bailout
     }
 
-    fn follow(&mut self, path: &Path, weight: f64) -> Radiance {
+    fn follow(&mut self, path: &Path, weight: f64) -> (Radiance, f64) {
         if self.cancelled.load(Ordering::Relaxed) {
-            return Radiance::BLACK;
+            return (Radiance::BLACK, f64::INFINITY);
         }
         let geometry = &self.scene.geometry;
         let hit = geometry.nearest(&path.ray, NEAREST, f64::INFINITY, path.kind, &mut self.counters);
@@ -149,7 +159,7 @@ impl<'s> Tracer<'s> {
         if !self.scene.atmosphere.is_clear() && self.scene.is_hollow(&path.interiors) {
             self.scene.atmosphere.dim(&path.ray, distance, &mut seen);
         }
-        seen
+        (seen, distance)
     }
 }
 

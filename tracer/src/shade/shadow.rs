@@ -21,7 +21,8 @@ impl Tracer<'_> {
             return self.projected(light, spot, arrival).map_or(Rgb::BLACK, |_| arrival.color);
         }
         match &light.area {
-            Some(area) if self.scene.quality.area_lights => {
+            // Light that is gathered is blurred anyway.
+            Some(area) if self.scene.quality.area_lights && !self.is_gathering() => {
                 self.area_shadow(number, light, area, spot, arrival)
             }
             _ => self.point_shadow(number, light, spot, arrival),

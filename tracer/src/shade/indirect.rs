@@ -1,0 +1,85 @@
+//! Light that other surfaces throw at a point: reused from around, or gathered anew. See [`crate::radiosity`].
+
+use super::layers::Spot;
+use super::{Path, Tracer};
+use crate::accel::RayKind;
+use crate::color::Rgb;
+use crate::math::{Ray, Vec3};
+use crate::radiosity::{hemisphere, Gathered, Mean, Settings};
+
+impl Tracer<'_> {
+    /// The mean light from the hemisphere over a surface, black where light is no longer thrown on.
+    pub(super) fn indirect_light(&mut self, spot: &Spot, normal: Vec3, weight: f64) -> Rgb {
+        let (Some(settings), Some(indirect)) = (&self.scene.radiosity, &self.indirect) else {
+            return Rgb::BLACK;
+        };
+        if indirect.bounces >= settings.recursion_limit || weight < settings.adc_bailout {
+            return Rgb::BLACK;
+        }
+        let pole = if settings.normal { normal } else { spot.normal };
+        let mut mean = Mean::default();
+        // Light that is thrown on needs less care.
+        let bound = indirect.error_bound * f64::from(1 + indirect.bounces);
+        for cache in [indirect.shared, &indirect.own] {
+            cache.collect(spot.point, pole, bound, indirect.bounces, &mut mean);
+        }
+        let enough = if indirect.take_any || indirect.bounces > 0 { 1 } else { settings.nearest_count };
+        let light =
+            if mean.count >= enough { mean.light() } else { self.gather(settings, spot, pole, weight) };
+        light * settings.brightness
+    }
+
+    /// Shoots rays into the hemisphere, and remembers what they brought.
+    fn gather(&mut self, settings: &Settings, spot: &Spot, pole: Vec3, weight: f64) -> Rgb {
+        let bounces = self.indirect.as_ref().map_or(0, |indirect| indirect.bounces);
+        let count = settings.rays(bounces);
+        let mut sum = Rgb::BLACK;
+        let mut nearness = 0.0;
+        self.set_bounces(bounces + 1);
+        let directions = hemisphere(pole, count, &mut self.random);
+        for direction in directions {
+            if direction.dot(spot.normal) <= 0.0 {
+                continue;
+            }
+            let ray = Ray { origin: spot.point, direction };
+            let path = Path { ray, kind: RayKind::Radiosity, ..*spot.path };
+            let (seen, distance) = self.trace_far(&path, weight);
+            sum += settings.limited(seen.rgb);
+            nearness += distance.recip();
+        }
+        self.set_bounces(bounces);
+        let light = sum * (count as f64).recip();
+        let from_camera = (spot.point - self.scene.camera.location()).length();
+        let [most, least] = settings.reuse.map(|share| share * from_camera);
+        let radius = (count as f64 / nearness).min(most).max(least);
+        if let Some(indirect) = &mut self.indirect {
+            let gathered = Gathered { point: spot.point, normal: pole, light, radius, bounces };
+            indirect.own.insert(gathered, radius * settings.error_bound);
+        }
+        light
+    }
+
+    /// Whether the current ray was shot to gather light.
+    pub(super) fn is_gathering(&self) -> bool {
+        self.indirect.as_ref().is_some_and(|indirect| indirect.bounces > 0)
+    }
+
+    fn set_bounces(&mut self, bounces: u32) {
+        if let Some(indirect) = &mut self.indirect {
+            indirect.bounces = bounces;
+        }
+    }
+}
+
+impl Settings {
+    /// What of one ray's light counts: `max_sample`, `gray_threshold`.
+    fn limited(&self, light: Rgb) -> Rgb {
+        let largest = light.max_element();
+        let light = if self.max_sample > 0.0 && largest > self.max_sample {
+            light * (self.max_sample / largest)
+        } else {
+            light
+        };
+        light * (1.0 - self.gray_threshold) + Rgb::WHITE * (light.gray() * self.gray_threshold)
+    }
+}
