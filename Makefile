@@ -66,6 +66,7 @@ check: build $(MYPY_TREE)/minipov ## ruff, mypy --strict, clippy, rustfmt
 	$(BIN)/python -m ruff check .
 	$(BIN)/python -m ruff format --check .
 	MYPYPATH=$(MYPY_TREE) $(BIN)/python -m mypy --strict -p minipov
+	MYPYPATH=$(MYPY_TREE):tests/tools $(BIN)/python -m mypy --strict tests/api tests/cli tests/docs tests/parity tests/tools
 	$(CARGO) clippy --quiet --manifest-path tracer/Cargo.toml --all-targets -- -D warnings
 	$(CARGO) clippy --quiet --manifest-path tracer/Cargo.toml --features python --lib -- -D warnings
 	$(CARGO) fmt --manifest-path tracer/Cargo.toml -- --check

@@ -11,7 +11,7 @@ import tempfile
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,7 +49,7 @@ def render(
     threads: int = 0,
     on_message: Callable[[Message], None] | None = None,
     on_progress: Callable[[float], None] | None = None,
-) -> NDArray[np.uint8 | np.float32]:
+) -> NDArray[np.float32 | np.uint8]:
     """Render a scene.
 
     Args:
@@ -108,7 +108,8 @@ def render(
         messages.warn(f"{feature} is not rendered yet" + (f" ({place})" if place else ""))
     result = trace(job, on_progress or (lambda share: None))
     file = FileFormat("png" if encoding == "srgb" else "exr", alpha=alpha)
-    return stored_channels(result.pixels.astype(np.float64), graph.settings.assumed_gamma, file)
+    channels = stored_channels(result.pixels.astype(np.float64), graph.settings.assumed_gamma, file)
+    return cast("NDArray[np.float32 | np.uint8]", channels)
 
 
 def _scene(scene: str | Path | Scene | None, text: str | None, options: Options, messages: Messages) -> Scene:

@@ -14,21 +14,24 @@ import shlex
 from dataclasses import dataclass
 from pathlib import Path
 
+from minipov.compare.verdict import VERDICTS, Verdict
+
 _FIELD = re.compile(r"//\s*(class|switches):\s*(.*)")
 
 
 @dataclass(frozen=True, slots=True)
 class SceneHeader:
-    """What a scene says of itself; ``expected`` is "" where it does not name a class."""
+    """What a scene says of itself; ``expected`` is None where it names no class."""
 
     title: str = ""
-    expected: str = ""
+    expected: Verdict | None = None
     switches: tuple[str, ...] = ()
 
 
 def read_header(scene: Path) -> SceneHeader:
     """Read the comment lines at the top of ``scene``."""
-    title, expected = "", ""
+    title = ""
+    expected: Verdict | None = None
     switches: tuple[str, ...] = ()
     for line in scene.read_text("utf-8", "replace").splitlines():
         if not line.startswith("//"):
@@ -37,7 +40,8 @@ def read_header(scene: Path) -> SceneHeader:
         if match is None:
             title = title or line.lstrip("/ ").strip()
         elif match.group(1) == "class":
-            expected = re.split(r"[\s—-]", match.group(2).strip())[0]
+            named = re.split(r"[\s—-]", match.group(2).strip())[0]
+            expected = next((verdict for verdict in VERDICTS if verdict == named), None)
         else:
             switches = tuple(shlex.split(match.group(2)))
     return SceneHeader(title, expected, switches)

@@ -44,7 +44,7 @@ class Comparison:
 
     name: str
     verdict: Verdict
-    expected: str = ""
+    expected: Verdict | None = None
     title: str = ""
     metrics: Metrics | None = None
     ours: Rendering | None = None

@@ -8,7 +8,7 @@ from minipov.frames import frames
 from minipov.image_format import FileFormat
 from minipov.include_path import startup_ini
 from minipov.option_help import help_text, markdown
-from minipov.option_table import OPTIONS
+from minipov.option_table import OPTIONS, Option
 from minipov.option_writer import write_ini
 from minipov.options import CommandLine, UsageError, parse_command_line
 from minipov.output_name import file_format, output_path
@@ -86,8 +86,7 @@ def test_one_option(words: list[str], key: str, value: object) -> None:
 
 
 @pytest.mark.parametrize("option", [option for option in OPTIONS if option.switch], ids=lambda option: option.key)
-def test_every_switch_is_accepted(option: object) -> None:
-    assert hasattr(option, "switch")
+def test_every_switch_is_accepted(option: Option) -> None:
     values = {"flag": "", "text": "x", "file type": "N"}
     value = values.get(option.kind, "1")
     for sign in "+-":
@@ -95,8 +94,7 @@ def test_every_switch_is_accepted(option: object) -> None:
 
 
 @pytest.mark.parametrize("option", OPTIONS, ids=lambda option: option.key)
-def test_every_key_is_accepted(option: object) -> None:
-    assert hasattr(option, "key")
+def test_every_key_is_accepted(option: Option) -> None:
     Path("other.ini").write_text("")
     values = {"Declare": "A=1", "Output_File_Type": "N", "Include_Ini": "other.ini", "File_Gamma": "sRGB"}
     assert option.key in parsed(f"{option.key.upper()}={values.get(option.key, '1')}").given
