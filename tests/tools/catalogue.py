@@ -1,7 +1,9 @@
-"""Write scenes/README.md from the headers of the scenes: python tests/tools/catalogue.py [--check]."""
+"""Write scenes/README.md and docs/features.md from the headers of the scenes: python tests/tools/catalogue.py."""
 
 import sys
 from pathlib import Path
+
+import features_page
 
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
 
@@ -46,10 +48,8 @@ def catalogue() -> str:
 
 
 def main() -> int:
-    page = SCENES / "README.md"
-    if "--check" in sys.argv[1:]:
-        return int(page.read_text(encoding="utf-8") != catalogue())
-    page.write_text(catalogue(), encoding="utf-8")
+    (SCENES / "README.md").write_text(catalogue(), encoding="utf-8")
+    features_page.PAGE.write_text(features_page.page(), encoding="utf-8")
     return 0
 
 
