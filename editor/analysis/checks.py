@@ -15,6 +15,7 @@ from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.statements import Statement
 from minipov.editor.analysis.surroundings import path, surroundings
 from minipov.editor.analysis.syntax import syntax_problems
+from minipov.grammar.keywords import KEYWORDS
 
 _MOST_UNKNOWN: Final = 50
 _ASKING: Final = frozenset({"IFDEF", "IFNDEF"})
@@ -99,7 +100,7 @@ def _unknown_names(document: Document, library: Library) -> list[Problem]:
 
 def _unknown(token: Token, statement: Statement, known: set[str]) -> Problem:
     is_block = statement.text[token.end_pos :].lstrip().startswith("{")
-    close = get_close_matches(token.value, BLOCKS if is_block else known, 1)
+    close = get_close_matches(token.value, BLOCKS if is_block else known | KEYWORDS.keys(), 1)
     hint = f"did you mean '{close[0]}'?" if close else None
     what = "block" if is_block else "name"
     return _at(token, f"unknown {what} '{token.value}'", hint)

@@ -79,7 +79,7 @@ def about_declaration(library: Library, document: Document, declaration: Declara
     lines = []
     value = value_of(library, document, declaration)
     code = heading(document, declaration)
-    if value is not None and shown(value) not in code:
+    if value is not None and shown(value) != code.partition("=")[2].strip(" ;"):
         lines.append(f"= {shown(value)}")
     if declaration.comment:
         lines.append(declaration.comment)

@@ -18,7 +18,10 @@ SNIPPETS = json.loads((EXTENSION / "snippets/povray.json").read_text())
 
 def expanded(body: list[str]) -> str:
     """A snippet with its defaults filled in."""
-    return re.sub(r"\$\{(\d+):([^}]*)\}", r"\2", "\n".join(body)).replace("$0", "").replace("$1", "I").replace("$2", "")
+    text = "\n".join(body)
+    defaults = dict(re.findall(r"\$\{(\d+):([^}]*)\}", text))
+    text = re.sub(r"\$\{(\d+):[^}]*\}", r"$\1", text)
+    return re.sub(r"\$(\d+)", lambda match: defaults.get(match[1], ""), text)
 
 
 @pytest.mark.parametrize("name", SNIPPETS)
