@@ -7,9 +7,9 @@ use crate::graph;
 use crate::math::{Transform, Vec3};
 use crate::mesh::Mesh;
 use crate::shape::{
-    closed_curves, frame, segments, BicubicPatch, Blob, Cone, Cuboid, Disc, HeightField, Isosurface, Lathe,
-    Lemon, Ovus, Plane, Poly, Polygon, Prism, Quadric, Shape, Sor, Sphere, SphereSweep, Superellipsoid, Text,
-    Torus, Triangle,
+    closed_curves, frame, segments, BicubicPatch, Blob, Cone, Cuboid, Disc, HeightField, Isosurface,
+    JuliaFractal, Lathe, Lemon, Ovus, Plane, Poly, Polygon, Prism, Quadric, Shape, Sor, Sphere, SphereSweep,
+    Superellipsoid, Text, Torus, Triangle,
 };
 use crate::texture::Builder;
 
@@ -136,6 +136,10 @@ impl<'a> Placer<'a> {
             S::Isosurface(s) => {
                 let function = self.patterns.function(&s.function).ok_or("isosurface of such a function")?;
                 placed(Shape::Isosurface(Arc::new(Isosurface::new(s, function))))
+            }
+            S::JuliaFractal(s) => {
+                let fractal = JuliaFractal::new(s).ok_or("julia_fractal of an unknown function")?;
+                placed(Shape::JuliaFractal(Box::new(fractal)))
             }
             other => Err(other.name().to_lowercase()),
         }

@@ -13,7 +13,10 @@ mod container;
 mod curve;
 mod disc;
 mod height_field;
+
+mod hypercomplex;
 mod isosurface;
+mod julia_fractal;
 mod lathe;
 mod lemon;
 mod ovus;
@@ -40,6 +43,7 @@ pub use curve::{closed_curves, segments, Segment};
 pub use disc::Disc;
 pub use height_field::HeightField;
 pub use isosurface::Isosurface;
+pub use julia_fractal::JuliaFractal;
 pub use lathe::Lathe;
 pub use lemon::Lemon;
 pub use ovus::Ovus;
@@ -234,6 +238,7 @@ primitives! {
     Blob(Arc<Blob>) = "blob",
     Isosurface(Arc<Isosurface>) = "isosurface",
     Text(Arc<Text>) = "text",
+    JuliaFractal(Box<JuliaFractal>) = "julia_fractal",
     Ovus(Box<Ovus>) = "ovus",
     Lemon(Box<Lemon>) = "lemon",
     BicubicPatch(Arc<BicubicPatch>) = "bicubic_patch",
