@@ -309,7 +309,7 @@ mod tests {
             let function = Function::named(name, [1.5, 0.3]).unwrap();
             for _ in 0..20 {
                 let h = Number(std::array::from_fn(|_| random.unit() * 0.8 + 0.1));
-                let mut check = |f: &dyn Fn(Number) -> Number, slope: Number| {
+                let check = |f: &dyn Fn(Number) -> Number, slope: Number| {
                     for axis in 0..4 {
                         let moved = |by: f64| {
                             let mut m = h;

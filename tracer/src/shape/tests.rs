@@ -3,7 +3,7 @@
 
 use crate::accel::{AcceleratorKind, Counters, RayKind};
 use crate::geometry::{prepare, Answer, Geometry, Hit};
-use crate::graph::shapes::{SplineKind, Sweep};
+use crate::graph::shapes::{Spindle, SplineKind, Sweep};
 use crate::graph::{self, shapes, Object};
 use crate::math::{vec3, Ray, Transform, Vec3};
 use crate::testing::Random;
@@ -78,6 +78,13 @@ fn samples() -> Vec<(Object, Kind)> {
     let round = [[0.0, 1.0], [-1.0, 0.0], [0.5, -1.0], [0.7, 0.8], [-1.0, 0.0]];
     // From the axis to the axis, with a control point at each end.
     let vase = [[0.2, -0.4], [0.0, -0.6], [0.9, -0.3], [0.7, 0.5], [0.0, 0.7], [-0.2, 0.6]];
+    let torus = |major_radius, minor_radius, spindle| -> graph::Shape {
+        shapes::Torus { major_radius, minor_radius, spindle, sturm: false }.into()
+    };
+    let sweep = |spline| -> graph::Shape {
+        let spheres = vec![(a, 0.3), (b, 0.5), (c, 0.2), (up, 0.4), (a * 0.5, 0.1)];
+        shapes::SphereSweep { spline, spheres, tolerance: 1e-6 }.into()
+    };
     let list: Vec<(graph::Shape, Kind)> = vec![
         (shapes::Sphere { center: vec3(0.2, 0.1, 0.0), radius: 0.9 }.into(), Solid),
         (shapes::Box { corner1: vec3(-0.5, -1.0, -0.7), corner2: vec3(0.5, 0.4, 0.3) }.into(), Solid),
@@ -138,6 +145,64 @@ fn samples() -> Vec<(Object, Kind)> {
                 columns: 7,
                 water_level: 0.0,
                 smooth: true,
+            }
+            .into(),
+            Patch,
+        ),
+        (
+            shapes::Ovus {
+                bottom_radius: 0.6,
+                top_radius: 0.4,
+                radius: None,
+                distance: None,
+                precision: 1e-4,
+            }
+            .into(),
+            Solid,
+        ),
+        (
+            shapes::Lemon {
+                base: a,
+                base_radius: 0.2,
+                cap: c,
+                cap_radius: 0.3,
+                inner_radius: 2.0,
+                open: false,
+            }
+            .into(),
+            Solid,
+        ),
+        (
+            shapes::Lemon {
+                base: a,
+                base_radius: 0.6,
+                cap: c,
+                cap_radius: 0.7,
+                inner_radius: 1.1,
+                open: false,
+            }
+            .into(),
+            Solid,
+        ),
+        (torus(0.5, 0.8, Some(Spindle::Merge)), Solid),
+        (torus(0.5, 0.8, Some(Spindle::Intersection)), Solid),
+        (torus(0.5, 0.8, Some(Spindle::Difference)), Solid),
+        (sweep(SplineKind::Linear), Solid),
+        (sweep(SplineKind::B), Solid),
+        (sweep(SplineKind::Cubic), Solid),
+        (
+            shapes::BicubicPatch {
+                points: (0..16)
+                    .map(|i| {
+                        let (u, v) = (f64::from(i / 4), f64::from(i % 4));
+                        vec3(u * 0.6 - 0.9, (u * 2.0 + v).sin() * 0.6, v * 0.6 - 0.9)
+                    })
+                    .collect(),
+                r#type: 1,
+                flatness: 0.0,
+                u_steps: 3,
+                v_steps: 2,
+                uv_vectors: [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
             }
             .into(),
             Patch,
