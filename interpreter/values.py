@@ -65,11 +65,17 @@ class Vector(tuple[float, ...]):
 
     def __mul__(self, other: Any) -> Vector:
         if other.__class__ is float:
+            if len(self) == 3:
+                a, b, c = self
+                return _new(Vector, (a * other, b * other, c * other))
             return _new(Vector, [a * other for a in self])
         return _termwise(self, other, float.__mul__)
 
     def __rmul__(self, other: Any) -> Vector:
         if other.__class__ is float:
+            if len(self) == 3:
+                a, b, c = self
+                return _new(Vector, (other * a, other * b, other * c))
             return _new(Vector, [other * a for a in self])
         return _termwise(other, self, float.__mul__)
 

@@ -98,8 +98,9 @@ class Calls(Expressions):
         """The one value that a group of items (as `argument_groups` makes them) is."""
         item = group[0]
         if len(group) == 1 and isinstance(item, tree.Call):
-            called = self.items_call(item)
-            return self.emit.at(item).call("rvalue_of", called, self.emit.constant(what), self.place(item))
+            called = self._call(item, "single")
+            self.emit.at(item)
+            return self._unless_float(called, "rvalue_of", self.emit.constant(what), self.place(item))
         if len(group) == 1 and isinstance(item, tree.Keyword) and item.name not in ("array", "dictionary"):
             return self.emit.at(item).name(self.unit.constants.add(("word", item.name)))
         if len(group) == 1 and isinstance(item, EXPRESSIONS):
@@ -108,9 +109,19 @@ class Calls(Expressions):
                 return self.emit.call("copied", value)
             if may_splice(item) and what != "argument":
                 value = self.emit.at(item).call("value_of", value)
-            return value if never_color(item) else self.emit.at(item).call("stored", value)
+            self.emit.at(item)
+            return value if never_color(item) else self._unless_float(value, "stored")
         sink = self.gather(group, what, item)
         return self.emit.at(item).call("rvalue_in", self.emit.name(sink), self.place(item))
+
+    def _unless_float(self, value: ast.expr, function: str, *more: ast.expr) -> ast.expr:
+        """``function(value, ...)``, spared where the value is a float."""
+        name = self.unit.unique("t")
+        is_float = self.emit.compare(
+            self.emit.attribute(self.emit.named(name, value), "__class__"), ast.Is(), self.emit.name("float")
+        )
+        other = self.emit.call(function, self.emit.name(name), *more)
+        return self.emit.conditional(is_float, self.emit.name(name), other)
 
     def builtin_call(self, node: tree.BuiltinCall) -> ast.expr:
         """A call of a function of the language."""

@@ -171,7 +171,7 @@ class Expressions(Body):
             return self.emit.at(node).call("spliced_vector", tokens)
         terms = [self.expression(part) for part in parts]  # type: ignore[arg-type]  # expressions, as just seen
         self.emit.at(node)
-        return self.emit.call("vector", *terms)
+        return self.emit.call("vector3" if len(terms) == 3 else "vector", *terms)
 
     def tokens(self, items: Sequence[tree.Item]) -> ast.expr:
         """Expressions and the commas between them, as a tuple; macros may have left more in them."""

@@ -8,14 +8,16 @@ from typing import Any, NoReturn
 
 from minipov.interpreter.arrays import Array, Dictionary, subscript
 from minipov.interpreter.errors import Place, SdlError
-from minipov.interpreter.items import COMMA, Item, Sink, Word
+from minipov.interpreter.items import COMMA, Item, Sink, Word, complete
 from minipov.interpreter.runtime.builtins import BUILTINS
 from minipov.interpreter.runtime.evaluate import call_function
-from minipov.interpreter.runtime.macros import MISSING, Macro
+from minipov.interpreter.runtime.macros import MISSING, Gathered, Macro
 from minipov.interpreter.runtime.names import Cell, ElementCell, Symbol
 from minipov.interpreter.runtime.rvalues import rvalue
 from minipov.interpreter.runtime.splice import Spliced, items_of, joined
-from minipov.interpreter.values import COMPONENTS, Vector, kind_of
+from minipov.interpreter.values import COMPONENTS, Vector, kind_of, stored
+
+_new = tuple.__new__
 
 
 def fail(message: str, hint: str | None = None) -> NoReturn:
@@ -97,11 +99,15 @@ def builtin_gathered(name: str, function: Callable[..., Any], sink: Sink) -> Any
     return builtin_spread(name, function, tuple(sink.items))
 
 
-def rvalue_of(called: tuple[list[Item], list[Place]], what: str, place: Place) -> Any:
-    """The one value that a macro call gave."""
-    items, places = called
-    if len(items) == 1 and items[0].__class__ in (float, Vector, str):
-        return items[0]
+def rvalue_of(value: Any, what: str, place: Place) -> Any:
+    """The one value of a call: what a function gave, or a macro's `single`."""
+    if value.__class__ is Gathered:
+        items, places = value.items, value.places
+    elif value.__class__ is Spliced:
+        items = value.items()
+        places = [place] * len(items)
+    else:
+        return stored(complete(value))
     if COMMA in items and what == "argument":
         return Spliced(items)
     return rvalue(items, places, what, place)
@@ -128,6 +134,13 @@ def vector(*terms: Any) -> Vector:
         if term.__class__ is not float and not isinstance(term, float | int):
             fail(f"the terms of a vector are numbers, not {kind_of(term)}")
     return Vector(terms)
+
+
+def vector3(a: Any, b: Any, c: Any) -> Vector:
+    """``<a, b, c>``, the commonest."""
+    if a.__class__ is b.__class__ is c.__class__ is float:
+        return _new(Vector, (a, b, c))
+    return vector(a, b, c)
 
 
 def spliced_vector(terms: tuple[Any, ...]) -> Vector:

@@ -27,9 +27,9 @@ def to_int(value: float) -> int:
 def _or_inf(function: Callable[..., float]) -> Callable[..., float]:
     """The function, with infinity for an overflow and "not a number" outside its domain."""
 
-    def total(*arguments: float) -> float:
+    def total(value: float) -> float:
         try:
-            return function(*arguments)
+            return function(value)
         except OverflowError:
             return math.inf
         except ValueError:
@@ -38,12 +38,21 @@ def _or_inf(function: Callable[..., float]) -> Callable[..., float]:
     return total
 
 
-for _name in ("exp", "sinh", "cosh", "acosh", "atanh", "sin", "cos", "tan", "fmod"):
-    if _name != "fmod":
-        builtin(_name, 1)(_or_inf(getattr(math, _name)))
+for _name in ("exp", "sinh", "cosh", "acosh", "atanh", "sin", "cos", "tan"):
+    builtin(_name, 1)(_or_inf(getattr(math, _name)))
 for _name in ("tanh", "asinh", "atan", "degrees", "radians"):
     builtin(_name, 1)(getattr(math, _name))
-builtin("mod", 2)(_or_inf(math.fmod))
+
+
+@builtin("mod", 2)
+def mod(a: float, b: float) -> float:
+    """The remainder, with the sign of ``a``."""
+    try:
+        return math.fmod(a, b)
+    except ValueError:
+        return -math.nan
+
+
 builtin("abs", 1)(abs)
 
 

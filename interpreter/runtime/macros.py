@@ -7,10 +7,11 @@ A macro compiled to a Python function takes the cells of its arguments and ``ope
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from typing import Any, Final, NoReturn
 
-from minipov.interpreter.errors import SdlError
+from minipov.interpreter.errors import NOWHERE, Place, SdlError
 from minipov.interpreter.items import Item
 from minipov.interpreter.runtime.blocks import Blocks
 from minipov.interpreter.runtime.names import Cell, Symbol
@@ -21,10 +22,32 @@ MISSING: Final = object()
 """Stands where an argument is left out."""
 
 
-class Macro:
-    """A macro. ``value(*cells)`` gives what stands in an expression; ``run(*cells)`` pushes its items."""
+@dataclass(frozen=True, slots=True)
+class Gathered:
+    """What a macro pushed, as yet unread."""
 
-    __slots__ = ("arity", "blocks", "function", "least", "name", "parameters", "run", "symbols", "value")
+    items: list[Item]
+    places: list[Place]
+
+
+class Macro:
+    """A macro. ``value(*cells)`` gives what stands in an expression; ``run(*cells)`` pushes its items;
+    ``single(*cells)`` gives what `calls.rvalue_of` makes one value of.
+    """
+
+    __slots__ = (
+        "arity",
+        "blocks",
+        "function",
+        "least",
+        "name",
+        "parameters",
+        "returns",
+        "run",
+        "single",
+        "symbols",
+        "value",
+    )
     sdl_kind = "macro"
 
     def __init__(
@@ -43,8 +66,10 @@ class Macro:
         self.arity = len(parameters)
         self.least = least
         self.function = function
+        self.returns = returns
         self.blocks = blocks
         self.value: Callable[..., Any] = function if returns else self._captured
+        self.single: Callable[..., Any] = partial(function, open=False) if returns else self._gathered
         self.run: Callable[..., None] = self._pushed if returns else partial(function, open=False)
 
     def _captured(self, *cells: Any) -> Any:
@@ -57,6 +82,9 @@ class Macro:
             return items[0]
         return Spliced(items)
 
+    def _gathered(self, *cells: Any) -> Gathered:
+        return Gathered(*self.items(*cells))
+
     def _pushed(self, *cells: Any) -> None:
         place = current_place()
         for item in items_of(self.function(*cells, open=False)):
@@ -64,6 +92,9 @@ class Macro:
 
     def items(self, *cells: Any) -> tuple[list[Item], list[Any]]:
         """The items of a call, and their places."""
+        if self.returns:
+            found = items_of(self.function(*cells, open=False))
+            return found, [NOWHERE] * len(found)
         sink = self.blocks.collect("argument", ("", 0, 0))
         self.run(*cells)
         self.blocks.collected(sink)

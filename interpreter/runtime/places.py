@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import sys
-from itertools import islice, pairwise
+from itertools import pairwise
 from types import CodeType, FrameType, TracebackType
 from typing import Final
+from weakref import WeakKeyDictionary
 
 from minipov.interpreter.errors import NOWHERE, Place
 
@@ -16,10 +17,16 @@ MACRO_PREFIX: Final = "macro_"
 """The start of the Python name of a macro's function; the file's own code is named differently."""
 
 
+_positions: WeakKeyDictionary[CodeType, list[tuple[int, int]]] = WeakKeyDictionary()
+
+
 def position(code: CodeType, instruction: int, file: str, shift: int) -> Place:
     """The place of the instruction at byte ``instruction``; ``shift`` lines down for code that serves many lines."""
-    line, _, column, _ = next(islice(code.co_positions(), instruction // 2, None), (None,) * 4)
-    return (file, (line or 0) + shift, (column or 0) + 1)
+    positions = _positions.get(code)
+    if positions is None:
+        positions = _positions[code] = [(line or 0, (column or 0) + 1) for line, _, column, _ in code.co_positions()]
+    line, column = positions[instruction // 2] if instruction >= 0 else (0, 1)
+    return (file, line + shift, column)
 
 
 def is_scene(frame: FrameType) -> bool:
