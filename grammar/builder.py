@@ -5,11 +5,13 @@ A method receives the rule's children: tokens, and what the methods of inner rul
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, TypeAlias
 
 from lark import Token, Transformer
 from minipov.grammar import tree
 from minipov.grammar.errors import SdlSyntaxError
+from minipov.grammar.statements import Run
 
 Children: TypeAlias = list[Any]
 
@@ -31,8 +33,9 @@ def _items(children: Children) -> tuple[tree.Item, ...]:
 class Builder(Transformer[Token, Any]):
     """Builds the tree while Lark parses."""
 
-    def __init__(self) -> None:
+    def __init__(self, parse: Callable[[str, bool], tuple[tree.Item, ...]]) -> None:
         super().__init__(visit_tokens=False)
+        self.parse = parse
 
     def start(self, c: Children) -> Any:
         return _items(c)
@@ -67,11 +70,21 @@ class Builder(Transformer[Token, Any]):
     def dotted_key(self, c: Children) -> Any:
         return tree.Bracket(c[0].line, c[0].column, (tree.String(c[0].line, c[0].column, str(c[1])),))
 
+    def statements(self, c: Children) -> Any:
+        run: Run = c[0].value
+        shapes = []
+        for shape, (line, column) in zip(run.shapes, run.starts, strict=True):
+            shapes.append(self.parse("\n" * (line - 1) + " " * (column - 1) + shape, run.version_38))
+        return tree.Statements(c[0].line, c[0].column, tuple(shapes), run.order, run.lines, run.numbers)
+
     def bulk(self, c: Children) -> Any:
         values, trailing_comma = c[0].value
         return tree.BulkVectors(c[0].line, c[0].column, values, trailing_comma)
 
     # --- expressions ---
+
+    def hole(self, c: Children) -> Any:
+        return tree.Hole(c[0].line, c[0].column, int(c[0]))
 
     def number(self, c: Children) -> Any:
         return tree.Number(c[0].line, c[0].column, float(c[0]))

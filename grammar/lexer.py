@@ -16,6 +16,7 @@ from lark import Token
 from lark.lexer import Lexer
 from minipov.grammar.errors import SdlSyntaxError
 from minipov.grammar.keywords import DIRECTIVES, KEYWORDS, Kind
+from minipov.grammar.statements import find_run
 
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _SIGNED = rf"[+-]?{_NUMBER}"
@@ -25,6 +26,7 @@ _TOKEN: Final = re.compile(
     rf"""
     (?P<skip>[\s\ufeff\x1a\0]+|//[^\n]*|\#(?![ \t\r\n]*[A-Za-z_]))
   | (?P<comment>/\*)
+  | (?P<hole>\x01)
   | (?P<word>[A-Za-z_][A-Za-z0-9_]*)
   | (?P<number>{_NUMBER})
   | (?P<string>"(?:[^"\\]|\\.)*")
@@ -99,15 +101,20 @@ _TERMINALS_38: Final = terminals(3.8)
 _VERSION_38: Final = re.compile(r"#\s*version\s+(?:unofficial\s+)?3\.[89]")
 
 
+_BEFORE_RUN: Final = frozenset({"", "RBRACE", "RPAR", "SEMICOLON", "LBRACE", "END", "ELSE"})
+
+
 def speaks_38(text: str) -> bool:
     """Whether ``text`` asks for version 3.8, whose keywords are identifiers before."""
     return _VERSION_38.search(text) is not None
 
 
-def tokenize(text: str, path: str = "", start: int = 0, version_38: bool | None = None) -> Iterator[Token]:
+def tokenize(
+    text: str, path: str = "", start: int = 0, version_38: bool | None = None, runs: bool = False
+) -> Iterator[Token]:
     """All tokens of ``text``, or those from ``start`` on, where lines and columns then count from.
 
-    ``version_38`` is said where it was found out before.
+    ``version_38`` is said where it was found out before; with ``runs``, many statements alike in a row are one token.
 
     Raises:
         SdlSyntaxError: an unclosed comment or string, or a character that SDL does not know.
@@ -116,6 +123,8 @@ def tokenize(text: str, path: str = "", start: int = 0, version_38: bool | None 
     match_token = _TOKEN.match
     at, line, line_start, end = start, 1, start, len(text)
     previous = ""
+    holes = 0
+    no_run_before = 0 if runs else end
     while at < end:
         match = match_token(text, at)
         column = at - line_start + 1
@@ -124,6 +133,14 @@ def tokenize(text: str, path: str = "", start: int = 0, version_38: bool | None 
         kind, value, start = match.lastgroup, match.group(), at
         at = match.end()
         if kind == "word":
+            if start >= no_run_before and previous in _BEFORE_RUN:
+                run, no_run_before = find_run(text, start, line, table is _TERMINALS_38)
+                if run is not None:
+                    at, previous = no_run_before, "STATEMENTS"
+                    yield Token(previous, run, start, line, column, line, column, at)
+                    line += text.count("\n", start, at)
+                    line_start = text.rfind("\n", 0, at) + 1
+                    continue
             previous = table.get(value, "NAME")
             yield Token(previous, value, start, line, column, line, column, at)
             continue
@@ -136,6 +153,11 @@ def tokenize(text: str, path: str = "", start: int = 0, version_38: bool | None 
             yield Token(previous, value, start, line, column, line, column, at)
             if (match_token(text, at) and text[at] in "._") or text[at : at + 1].isalpha():
                 raise SdlSyntaxError(f"malformed number '{_run(text, start)}'", path, line, column)
+            continue
+        if kind == "hole":
+            previous = "HOLE"
+            yield Token(previous, str(holes), start, line, column, line, column, at)
+            holes += 1
             continue
         if kind == "comment":
             at = _comment_end(text, at, path, line, column)
@@ -203,8 +225,9 @@ class SdlLexer(Lexer):
     def __init__(self, lexer_conf: Any) -> None:
         """Lark hands over its configuration; the table of keywords says all that is needed."""
 
-    def lex(self, data: tuple[str, str]) -> Iterator[Token]:  # type: ignore[override]
-        """Tokens of (text, path)."""
+    def lex(self, data: tuple[str, str, bool | None, bool]) -> Iterator[Token]:  # type: ignore[override]
+        """Tokens of the arguments of `tokenize` but ``start``."""
+        text, path, version_38, runs = data
         from minipov.grammar.braces import mark_loose_braces
 
-        return iter(mark_loose_braces(list(tokenize(*data))))
+        return iter(mark_loose_braces(list(tokenize(text, path, 0, version_38, runs))))

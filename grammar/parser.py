@@ -27,18 +27,23 @@ def _parser() -> Lark:
     grammar = (files("minipov.grammar") / "sdl.lark").read_text()
     tables = user_cache_path("minipov", ensure_exists=True) / f"sdl-{lark.__version__}.tables"
     return Lark(
-        grammar, parser="lalr", lexer=SdlLexer, transformer=Builder(), maybe_placeholders=False, cache=str(tables)
+        grammar, parser="lalr", lexer=SdlLexer, transformer=Builder(_items), maybe_placeholders=False, cache=str(tables)
     )
 
 
-def parse(text: str, path: str = "") -> tree.File:
-    """The tree of a whole file.
+def _items(text: str, version_38: bool) -> tuple[tree.Item, ...]:
+    items: Any = _parser().parse((text, "", version_38, False))
+    return items  # type: ignore[no-any-return]  # the start rule gives items
+
+
+def parse(text: str, path: str = "", runs: bool = False) -> tree.File:
+    """The tree of a whole file; with ``runs``, many statements alike in a row become one `tree.Statements`.
 
     Raises:
         SdlSyntaxError: the text is not SDL.
     """
     try:
-        items: Any = _parser().parse((text, path))
+        items: Any = _parser().parse((text, path, None, runs))
     except UnexpectedInput as error:
         raise explain(error, text, path) from None
     return tree.File(path, items)

@@ -34,6 +34,13 @@ class Number(Node):
 
 
 @dataclass(frozen=True, slots=True)
+class Hole(Node):
+    """A number that differs from row to row of `Statements`."""
+
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
 class String(Node):
     """A string literal as written between the quotes; `lexer.unescape` gives its text."""
 
@@ -193,6 +200,16 @@ class LooseBrace(Node):
 @dataclass(frozen=True, slots=True)
 class LooseParen(Node):
     """The ``)`` that closes a `FileWriteOpen`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Statements(Node):
+    """Many statements alike in a row: what differs are the numbers (see `statements.Run`)."""
+
+    shapes: tuple[tuple[Item, ...], ...]
+    order: tuple[int, ...]
+    lines: tuple[int, ...]
+    numbers: tuple[NDArray[np.float64], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -410,6 +427,7 @@ class File:
 
 Expression: TypeAlias = (
     Number
+    | Hole
     | String
     | Name
     | Scoped
@@ -458,5 +476,6 @@ Item: TypeAlias = (
     | Bracket
     | Punctuation
     | BulkVectors
+    | Statements
     | Directive
 )

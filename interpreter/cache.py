@@ -47,7 +47,7 @@ def compile_text(path: str, content: bytes) -> Program:
     from minipov.interpreter.compiler.files import compile_file
 
     try:
-        return compile_file(parse(decode(content), path))
+        return compile_file(parse(decode(content), path, runs=True))
     except SdlSyntaxError as error:
         raise SdlError(error.message, (error.path or path, error.line, error.column), error.hint) from None
 

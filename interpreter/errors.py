@@ -5,7 +5,8 @@ A place is a plain tuple (file, line, column), 1-based, so that compiled code ca
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
@@ -72,6 +73,8 @@ class Messages:
 
     sink: Callable[[Message], None] | None = None
     all: list[Message] = field(default_factory=list)
+    moved: Callable[[Place], Place] | None = None
+    """Where a place really is, while statements alike share their code."""
     _said: set[str] = field(default_factory=set)
 
     def say(self, message: Message) -> None:
@@ -80,9 +83,20 @@ class Messages:
         if self.sink is not None:
             self.sink(message)
 
+    @contextmanager
+    def aside(self) -> Iterator[Messages]:
+        """Messages said inside go to a copy of their own, which is given."""
+        aside = Messages(_said=self._said.copy())
+        kept = self.sink, self.all, self._said
+        self.sink, self.all, self._said = None, aside.all, aside._said
+        try:
+            yield aside
+        finally:
+            self.sink, self.all, self._said = kept
+
     def warn(self, text: str, place: Place = NOWHERE) -> None:
         """Warn each time."""
-        self.say(Message("warning", text, place))
+        self.say(Message("warning", text, place if self.moved is None else self.moved(place)))
 
     def warn_once(self, key: str, text: str, place: Place = NOWHERE) -> None:
         """Warn the first time that ``key`` comes up."""

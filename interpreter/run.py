@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import sys
 import threading
 from collections.abc import Callable
@@ -82,14 +83,17 @@ def _with_deep_stack(work: Callable[[], T]) -> T:
     outcome: list[Any] = []
 
     def run() -> None:
-        limit = sys.getrecursionlimit()
+        limit, collects = sys.getrecursionlimit(), gc.isenabled()
         sys.setrecursionlimit(max(limit, DEEPEST_RECURSION))
+        gc.disable()  # a scene is one large tree without cycles, and looking for them takes long
         try:
             outcome.extend((True, work()))
         except BaseException as error:
             outcome.extend((False, error))
         finally:
             sys.setrecursionlimit(limit)
+            if collects:
+                gc.enable()
 
     size = threading.stack_size(_STACK_BYTES)
     try:

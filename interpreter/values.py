@@ -183,8 +183,12 @@ def kind_of(value: Any) -> str:
         return "a vector" if len(value) < 5 else "a colour" if len(value) == 5 else f"{len(value)} numbers"
     if isinstance(value, str):
         return "a string"
-    name = getattr(type(value), "sdl_kind", "") or type(value).__name__.lower()
+    name = getattr(type(value), "sdl_kind", "") or _node_kind(type(value).__name__.lower())
     return f"an {name}" if name[0] in "aeiou" else f"a {name}"
+
+
+def _node_kind(name: str) -> str:
+    return next((kind for kind in ("texture", "function") if name.endswith(kind)), name)
 
 
 def vector3(value: Any) -> tuple[float, float, float]:

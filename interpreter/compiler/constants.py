@@ -52,7 +52,12 @@ def revive(plain: Plain) -> Any:
             return {",": COMMA, ";": SEMICOLON}.get(rest[0]) or Punctuation(rest[0])
         case "array":
             shape, data = rest
+            if not data:
+                return np.zeros(shape)
             return np.frombuffer(data, dtype=np.float64).reshape(shape)
+        case "rows":
+            order, lines, arrays = rest
+            return order, lines, tuple(revive(array) for array in arrays)
         case "run":
             return tuple(map(revive, rest[0]))
         case "places":

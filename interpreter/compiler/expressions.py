@@ -46,6 +46,8 @@ class Expressions(Body):
         match node:
             case tree.Name(name=name):
                 return self.emit.attribute(self.cell(name), "v")
+            case tree.Hole(index=index):
+                return self.emit.name(f"n{index}")
             case tree.Scoped():
                 return self.emit.attribute(self.scoped_cell(node), "v")
             case tree.ConstantWord(name=name):

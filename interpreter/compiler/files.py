@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from minipov.grammar import tree
 from minipov.interpreter.compiler.body import Unit
+from minipov.interpreter.compiler.constants import plain_array
 from minipov.interpreter.compiler.declarations import local_names
 from minipov.interpreter.compiler.directives import Directives
 from minipov.interpreter.compiler.items import has_open_terms
@@ -32,6 +33,22 @@ class FileBody(Directives):
             self.emit.name(name),
             self.emit.constant(body.returns),
         )
+
+    def statements_alike(self, node: tree.Statements) -> None:
+        """A function for each shape, called with the numbers of each statement."""
+        shapes = []
+        for items, numbers in zip(node.shapes, node.numbers, strict=True):
+            body = FileBody(self.unit)
+            body.items(items)
+            holes = [f"n{index}" for index in range(numbers.shape[1])]
+            name = self.unit.unique("shape")
+            self.unit.functions.append(body.emit.at(node).function(name, holes, body.statements, opens=False))
+            shapes.append(name)
+        self.emit.at(node)
+        functions = self.emit.tuple([self.emit.name(name) for name in shapes])
+        kept = ("rows", node.order, node.lines, tuple(plain_array(numbers) for numbers in node.numbers))
+        calls = self.emit.constant(tuple(isinstance(items[0], tree.Call) for items in node.shapes))
+        self.do("run_statements", functions, calls, self.emit.name(self.unit.constants.add(kept)))
 
 
 class MacroBody(FileBody):

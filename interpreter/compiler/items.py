@@ -118,6 +118,9 @@ class Items(FunctionLiterals):
             self._expression_item(item, run)
         elif isinstance(item, tree.Punctuation):
             run.add(("punctuation", item.text), None, self.at(item))
+        elif isinstance(item, tree.Statements):
+            self.flush(run)
+            self.statements_alike(item)
         elif isinstance(item, tree.BulkVectors):
             run.add(plain_array(item.values), None, self.at(item))
         else:
@@ -195,6 +198,10 @@ class Items(FunctionLiterals):
                 sign = self.emit.at(node).name(_SIGNS[operator])
                 return [sign, *self.open_terms(operand)]
         return [self.value(node)]
+
+    def statements_alike(self, node: tree.Statements) -> None:
+        """Many statements of a few shapes."""
+        raise NotImplementedError
 
     def array(self, items: Sequence[tree.Item], at: int, run: Run) -> tuple[ast.expr, int]:
         """``array[n] { ... }``; gives its value and the index after it."""

@@ -20,8 +20,8 @@ CONSTANT_WORDS: Final[dict[str, Any]] = {
 
 ARITHMETIC: Final = frozenset("+-*/")
 EXPRESSIONS: Final = (
-    tree.Number, tree.String, tree.Name, tree.Scoped, tree.ConstantWord, tree.Vector, tree.Unary, tree.Binary,
-    tree.Conditional, tree.Paren, tree.Group, tree.Member, tree.Subscript, tree.Call, tree.BuiltinCall,
+    tree.Number, tree.Hole, tree.String, tree.Name, tree.Scoped, tree.ConstantWord, tree.Vector, tree.Unary,
+    tree.Binary, tree.Conditional, tree.Paren, tree.Group, tree.Member, tree.Subscript, tree.Call, tree.BuiltinCall,
     tree.FunctionLiteral,
 )  # fmt: skip
 DIRECTIVES: Final = (
@@ -94,7 +94,7 @@ def may_splice(node: tree.Item) -> bool:
 def never_color(node: tree.Item) -> bool:
     """Whether an expression cannot have five terms."""
     match node:
-        case tree.Number() | tree.String() | tree.Member() | tree.BuiltinCall() | tree.ConstantWord():
+        case tree.Number() | tree.Hole() | tree.String() | tree.Member() | tree.BuiltinCall() | tree.ConstantWord():
             return True
         case tree.Paren(inner=inner) | tree.Unary(operand=inner):
             return never_color(inner)
