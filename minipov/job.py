@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 from minipov.console import Console
@@ -16,7 +17,9 @@ from minipov.options import CommandLine, UsageError
 from minipov.output_name import file_format, output_path
 from minipov.pipeline import load_options, render_settings, start, trace
 from minipov.statistics_table import statistics_table
+from minipov.tracer.render import RenderJob
 from minipov.tracer.settings import RenderSettings
+from minipov.unfinished import Unfinished
 
 _ENTRY = "command line"
 
@@ -104,7 +107,12 @@ def _render_frame(
     loaded = load(scene, options, messages) if text is None else load_text(text.decode(), _ENTRY, options, messages)
     load_seconds = time.perf_counter() - started
     console.heading("Rendering...")
-    job = start(loaded, settings)
+    state = None
+    if isinstance(target, Path):
+        content = sources.get(str(scene)) or scene.read_bytes()
+        state = Unfinished(target, content, frame, settings)
+    earlier = state.read() if state is not None and command.flag("Continue_Trace") else None
+    job = start(loaded, settings, earlier)
     # Loaded while the render goes on.
     from minipov.image_output import write_image
 
@@ -113,15 +121,30 @@ def _render_frame(
     working = loaded.settings.assumed_gamma
     try:
         with console.progress(settings.width * settings.height) as progress:
-            result = trace(job, progress)
+            result = trace(job, _saving(job, state, progress))
     except KeyboardInterrupt:
         if target is not None:
             write_image(target, job.snapshot(), working, file)
+        if state is not None:
+            state.save(job.unfinished())
         raise
     if target is not None:
         write_image(target, result.pixels, working, file)
+    if state is not None:
+        state.remove()
     if console.verbose or command.flag("Statistics"):
         console.say("Statistic", statistics_table(result.statistics, load_seconds))
+
+
+def _saving(job: RenderJob, state: Unfinished | None, progress: Callable[[float], None]) -> Callable[[float], None]:
+    """Call ``progress``, and save the state of a long render now and then."""
+
+    def report(share: float) -> None:
+        progress(share)
+        if state is not None and state.is_due:
+            state.save(job.unfinished())
+
+    return report
 
 
 def _check_writable(target: Path) -> None:

@@ -71,7 +71,7 @@ OPTIONS: tuple[Option, ...] = (
     Option(_PICTURE, "End_Row", "place", 1.0, "ER", "last row to render", aliases=("End_Line",)),
     Option(_PICTURE, "Dither", "flag", False, "TH", "dither the file", carries="Dither_Method"),
     Option(_PICTURE, "Dither_Method", "text", "FS", "", "B2, B3, B4 ordered; D1, D2, FS spread the error"),
-    Option(_PICTURE, "Continue_Trace", "flag", False, "C", "go on with an interrupted picture", support="not yet"),
+    Option(_PICTURE, "Continue_Trace", "flag", False, "C", "go on with an interrupted picture"),
     Option(_PICTURE, "Create_Ini", "text", "", "GI", "write the options in effect to a file"),
     *_accepted(_PICTURE, "text", "", "Display_Gamma", "Histogram_Type", "Histogram_Name",
                "Histogram_Grid_Size"),

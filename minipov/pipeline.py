@@ -18,6 +18,9 @@ from minipov.tracer.scene import Scene
 from minipov.tracer.settings import Antialiasing, Gamma, RenderSettings
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from minipov.tracer.image import Image
 
 POLL_SECONDS = 0.05
@@ -88,13 +91,16 @@ def load_image_file(path: Path, kind: str, *, gamma: Gamma, raw: bool, working: 
     return load_image(path, kind, gamma=gamma, raw=raw, working=working)
 
 
-def start(scene: Scene, settings: RenderSettings) -> RenderJob:
-    """Prepare ``scene`` and start rendering; Ctrl-C does not have to wait for the preparations."""
+def start(scene: Scene, settings: RenderSettings, earlier: NDArray[np.float32] | None = None) -> RenderJob:
+    """Prepare ``scene`` and start rendering; Ctrl-C does not have to wait for the preparations.
+
+    ``earlier`` holds what is finished of the picture, as `RenderJob.unfinished` gave it.
+    """
     made: Future[RenderJob] = Future()
 
     def prepare() -> None:
         try:
-            made.set_result(RenderJob(scene, settings))
+            made.set_result(RenderJob(scene, settings, earlier))
         except BaseException as error:
             made.set_exception(error)
 

@@ -54,9 +54,13 @@ class RenderResult:
 class RenderJob:
     """A render that runs on its own threads."""
 
-    def __init__(self, scene: Scene, settings: RenderSettings) -> None:
-        """Prepare the scene and start."""
-        self._job = _core.RenderJob(scene, settings)
+    def __init__(self, scene: Scene, settings: RenderSettings, earlier: NDArray[np.float32] | None = None) -> None:
+        """Prepare the scene and start, or go on from what `unfinished` gave for the same scene.
+
+        Raises:
+            ValueError: ``earlier`` has another size.
+        """
+        self._job = _core.RenderJob(scene, settings, earlier)
 
     def poll(self) -> float:
         """The finished share of the picture, 0 to 1."""
@@ -80,6 +84,10 @@ class RenderJob:
     def snapshot(self) -> NDArray[np.float32]:
         """The pixels so far, as in `RenderResult`; zeros where nothing is finished."""
         return self._job.snapshot()
+
+    def unfinished(self) -> NDArray[np.float32]:
+        """The pixels so far, NaN where nothing is finished."""
+        return self._job.unfinished()
 
     def finish(self) -> RenderResult:
         """Wait for the end.

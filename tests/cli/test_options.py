@@ -77,6 +77,7 @@ def _in_an_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
         (["-help"], "Help", True),
         (["+TH"], "Dither", True),
         (["+THD1"], "Dither_Method", "D1"),
+        (["+C"], "Continue_Trace", True),
     ],
 )
 def test_one_option(words: list[str], key: str, value: object) -> None:

@@ -2,6 +2,7 @@
 
 import os
 import pty
+import re
 import signal
 import subprocess
 import time
@@ -24,6 +25,12 @@ background { rgb 0.5 }
 #end
 """
 """Takes far longer to render than any test waits."""
+
+MEDIUM = SLOW.replace("60, 60", "12, 12")
+"""Takes some seconds."""
+
+BEGUN = rb"Rendered [1-9]"
+"""What a verbose run says when some pixels are finished."""
 
 
 @pytest.fixture
@@ -231,12 +238,17 @@ def test_unknown_keys_are_only_warned_of(scene: Path) -> None:
     assert "unknown option Quantity is ignored" in said(run)
 
 
-def interrupted(scene: str, folder: Path, *words: str) -> tuple[int, float, bytes]:
-    """Press Ctrl-C one and a half seconds into a run: its status, the seconds it took to end, and what it said."""
+def interrupted(scene: str, folder: Path, *words: str, after: bytes) -> tuple[int, float, bytes]:
+    """Press Ctrl-C when a run has said ``after`` (a regular expression): its status, the seconds it took to end, and
+    what it said then."""
     command = [*MINIPOV, scene, *words]
     with subprocess.Popen(command, cwd=folder, env=environment(), stderr=subprocess.PIPE) as program:
-        time.sleep(1.5)
-        assert program.poll() is None
+        assert program.stderr is not None
+        heard = b""
+        while not re.search(after, heard):
+            more = os.read(program.stderr.fileno(), 4096)
+            assert more, heard
+            heard += more
         program.send_signal(signal.SIGINT)
         pressed = time.monotonic()
         _, errors = program.communicate(timeout=20)
@@ -244,8 +256,8 @@ def interrupted(scene: str, folder: Path, *words: str) -> tuple[int, float, byte
 
 
 def test_ctrl_c_while_parsing(tmp_path: Path) -> None:
-    (tmp_path / "endless.pov").write_text("#while (1) #declare A = 1; #end")
-    status, seconds, errors = interrupted("endless.pov", tmp_path)
+    (tmp_path / "endless.pov").write_text('#debug "begun\\n"\n#while (1) #declare A = 1; #end')
+    status, seconds, errors = interrupted("endless.pov", tmp_path, after=b"begun")
     assert status == INTERRUPTED
     assert seconds < 1
     assert errors == b"error: interrupted\n"
@@ -253,13 +265,42 @@ def test_ctrl_c_while_parsing(tmp_path: Path) -> None:
 
 def test_ctrl_c_while_rendering_leaves_a_picture(tmp_path: Path) -> None:
     (tmp_path / "slow.pov").write_text(SLOW)
-    status, seconds, errors = interrupted("slow.pov", tmp_path, "+W640", "+H480")
+    status, seconds, errors = interrupted("slow.pov", tmp_path, "+W640", "+H480", "+V", after=BEGUN)
     assert status == INTERRUPTED
     assert seconds < 1
-    assert errors == b"error: interrupted\n"
+    assert errors.endswith(b"error: interrupted\n")
     picture = Image.open(tmp_path / "slow.png")
     picture.load()
     assert picture.size == (640, 480)
+
+
+def test_an_interrupted_picture_is_gone_on_with(tmp_path: Path) -> None:
+    (tmp_path / "scene.pov").write_text(MEDIUM)
+    size = ("+W320", "+H240", "+WT1")
+    status, _, _ = interrupted("scene.pov", tmp_path, *size, "+V", after=BEGUN)
+    assert status == INTERRUPTED
+    state = tmp_path / "scene.png.minipov-state"
+    pixels = np.load(state)["pixels"]
+    finished = ~np.isnan(pixels[..., 0])
+    assert 0 < finished.mean() < 1
+    # What is finished is believed: mark it, and find the mark in the picture.
+    pixels[finished] = (0, 1, 0, 1)
+    key = np.load(state)["key"]
+    with state.open("wb") as file:
+        np.savez(file, pixels=pixels, key=key)
+    run = minipov("scene.pov", *size, "+C", cwd=tmp_path)
+    assert run.returncode == OK, said(run)
+    codes = np.asarray(Image.open(tmp_path / "scene.png").convert("RGB"))
+    assert np.array_equal(np.all(codes == (0, 255, 0), axis=2), finished)
+    assert not state.exists()
+
+
+def test_other_options_begin_anew(tmp_path: Path) -> None:
+    (tmp_path / "scene.pov").write_text(MEDIUM)
+    assert interrupted("scene.pov", tmp_path, "+W320", "+H240", "+V", after=BEGUN)[0] == INTERRUPTED
+    run = minipov("scene.pov", "+W32", "+H24", "+C", cwd=tmp_path)
+    assert run.returncode == OK, said(run)
+    assert np.all(np.asarray(Image.open(tmp_path / "scene.png").convert("L")) > 0)
 
 
 # --- help and version ---

@@ -24,8 +24,8 @@ INTRODUCTION = """# The command line
 
 An option has three spellings that can be mixed: two dashes (`--width 640`, `--width=640`, `--no-antialias`), POV-Ray's
 switch (`+W640`; a `-` turns flags off, and is as good as a `+` elsewhere; upper or lower case) and POV-Ray's INI
-statement (`Width=640`). Whole numbers may be written as floats. An unknown switch is an error; an unknown INI key is warned of
-and ignored.
+statement (`Width=640`). Whole numbers may be written as floats. An unknown switch is an error; an unknown INI key is
+warned of and ignored.
 
 A word alone is the scene, an INI file (`file.ini`, or a section of it: `file.ini[Section]`), or the name of either
 without its extension. An INI file holds statements and switches, comments after `;`, and sections that are read only
@@ -41,7 +41,8 @@ The picture appears under its name when it is complete, never half. A folder as 
 the scene's name; a missing extension is added; a known extension tells the type, where no `+F` does. Frames have their
 number before the extension, with as many digits as the last one has.
 
-Ctrl-C stops within a second, and leaves what is finished as a picture.
+Ctrl-C stops within a second, and leaves what is finished as a picture; `+C` goes on from there. For that a file
+`picture.png.minipov-state` stays beside the picture until it is complete.
 
 | exit status | |
 |---|---|

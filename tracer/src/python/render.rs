@@ -5,8 +5,8 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use numpy::ndarray::Array3;
-use numpy::{IntoPyArray, PyArray3};
-use pyo3::exceptions::PyRuntimeError;
+use numpy::{IntoPyArray, PyArray3, PyReadonlyArray3};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -28,15 +28,26 @@ pub struct RenderJob {
 
 #[pymethods]
 impl RenderJob {
-    /// Prepares the scene and starts rendering.
+    /// Prepares the scene and starts rendering; `earlier` is what `unfinished` gave for a job that was cancelled.
     #[new]
-    fn new(py: Python<'_>, scene: &Bound<'_, PyAny>, settings: RenderSettings) -> PyResult<RenderJob> {
+    #[pyo3(signature = (scene, settings, earlier = None))]
+    fn new(
+        py: Python<'_>,
+        scene: &Bound<'_, PyAny>,
+        settings: RenderSettings,
+        earlier: Option<PyReadonlyArray3<'_, f32>>,
+    ) -> PyResult<RenderJob> {
+        let earlier = earlier.map(|pixels| begun(&pixels, &settings)).transpose()?;
         let started = Instant::now();
         let (scene, mut unsupported) = collect_unsupported(|| scene.extract::<Scene>())?;
         let job = py.detach(|| {
             let (scene, left_out) = prepare(&scene, &settings);
             unsupported.extend(left_out);
-            Arc::new(Job::new(scene, &settings))
+            let mut job = Job::new(scene, &settings);
+            if let Some(earlier) = earlier {
+                job.take_over(earlier);
+            }
+            Arc::new(job)
         });
         let prepare_time = started.elapsed();
         let running = Arc::clone(&job);
@@ -64,13 +75,14 @@ impl RenderJob {
         self.job.cancel();
     }
 
-    /// The pixels so far: (height, width, 4) of float32.
+    /// The pixels so far: (height, width, 4) of float32, zeros where there are none.
     fn snapshot<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
-        let picture = self.job.picture();
-        let values = picture.snapshot().into_iter().flatten().collect();
-        let pixels = Array3::from_shape_vec((picture.height, picture.width, 4), values)
-            .map_err(|e| PyRuntimeError::new_err(e.to_string()))?;
-        Ok(pixels.into_pyarray(py))
+        self.array(py, self.job.picture().snapshot())
+    }
+
+    /// The pixels so far, NaN where there are none.
+    fn unfinished<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        self.array(py, self.job.picture().unfinished())
     }
 
     /// Waits for the end.
@@ -115,6 +127,25 @@ impl RenderJob {
         statistics.set_item("trace_seconds", self.trace_time.as_secs_f64())?;
         Ok(statistics)
     }
+}
+
+impl RenderJob {
+    fn array<'py>(&self, py: Python<'py>, pixels: Vec<[f32; 4]>) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        let picture = self.job.picture();
+        let values = pixels.into_iter().flatten().collect();
+        let pixels = Array3::from_shape_vec((picture.height, picture.width, 4), values)
+            .map_err(|e| PyRuntimeError::new_err(e.to_string()))?;
+        Ok(pixels.into_pyarray(py))
+    }
+}
+
+/// The pixels of an earlier attempt, which has to have the same size.
+fn begun(pixels: &PyReadonlyArray3<'_, f32>, settings: &RenderSettings) -> PyResult<Vec<[f32; 4]>> {
+    let pixels = pixels.as_array();
+    if pixels.dim() != (settings.height, settings.width, 4) {
+        return Err(PyValueError::new_err("the earlier picture has another size"));
+    }
+    Ok(pixels.rows().into_iter().map(|pixel| [pixel[0], pixel[1], pixel[2], pixel[3]]).collect())
 }
 
 impl Drop for RenderJob {

@@ -53,6 +53,15 @@ impl Job {
         }
     }
 
+    /// Takes over the finished tiles of an earlier attempt; `earlier` is the `Picture::unfinished` that it left.
+    pub fn take_over(&mut self, earlier: Vec<[f32; 4]>) {
+        let width = self.settings.width;
+        self.tiles.retain(|tile| {
+            tile.rows.clone().any(|y| tile.columns.clone().any(|x| earlier[y * width + x][0].is_nan()))
+        });
+        self.picture = Picture::begun(width, self.settings.height, earlier);
+    }
+
     /// Renders until finished or cancelled.
     pub fn run(&self) {
         let threads = rayon::ThreadPoolBuilder::new().num_threads(self.settings.threads).build();

@@ -17,7 +17,12 @@ pub struct Picture {
 impl Picture {
     /// A picture without anything in it.
     pub fn empty(width: usize, height: usize) -> Picture {
-        Picture { width, height, pixels: Mutex::new(vec![[0.0; 4]; width * height]) }
+        Picture::begun(width, height, vec![[f32::NAN; 4]; width * height])
+    }
+
+    /// A picture some of whose pixels are finished, the others not being numbers.
+    pub fn begun(width: usize, height: usize, pixels: Vec<[f32; 4]>) -> Picture {
+        Picture { width, height, pixels: Mutex::new(pixels) }
     }
 
     /// Puts a finished tile in its place.
@@ -25,12 +30,20 @@ impl Picture {
         let mut pixels = self.pixels.lock().expect("no thread panics with the picture in hand");
         for (row, colors) in tile.rows.clone().zip(colors.chunks(tile.columns.len())) {
             let start = row * self.width + tile.columns.start;
-            pixels[start..start + colors.len()].copy_from_slice(colors);
+            for (pixel, color) in pixels[start..].iter_mut().zip(colors) {
+                *pixel = color.map(|part| if part.is_nan() { 0.0 } else { part });
+            }
         }
     }
 
-    /// The pixels so far.
+    /// The pixels so far, black and clear where there are none.
     pub fn snapshot(&self) -> Vec<[f32; 4]> {
+        let known = |pixel: [f32; 4]| if pixel[0].is_nan() { [0.0; 4] } else { pixel };
+        self.unfinished().into_iter().map(known).collect()
+    }
+
+    /// The pixels so far, not numbers where there are none.
+    pub fn unfinished(&self) -> Vec<[f32; 4]> {
         self.pixels.lock().expect("no thread panics with the picture in hand").clone()
     }
 }
