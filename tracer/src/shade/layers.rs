@@ -78,6 +78,9 @@ impl Tracer<'_> {
         weight: f64,
     ) -> Radiance {
         let scene = self.scene;
+        if scene.quality.unlit {
+            return self.unlit(spot, frame, layers);
+        }
         let mut seen = Radiance::BLACK;
         // What of the light from below gets through the layers so far.
         let mut filter = Rgb::WHITE;
@@ -131,6 +134,21 @@ impl Tracer<'_> {
         }
         self.mirrors.truncate(first_mirror);
         seen
+    }
+
+    /// At the lowest qualities: the plain colour of the lowest layer that is seen through those above.
+    fn unlit(&self, spot: &Spot, frame: &Frame, layers: &[Layer]) -> Radiance {
+        let mut filter = Rgb::WHITE;
+        let mut rgb = Rgb::BLACK;
+        for layer in layers {
+            let color = layer.color(spot, frame, spot.normal);
+            rgb = color.rgb;
+            filter = filter.mul_each(passing(&color));
+            if filter.max_element() < self.scene.adc_bailout {
+                break;
+            }
+        }
+        Radiance { rgb, transmit: 0.0 }
     }
 
     /// The share of light that passes layers.
