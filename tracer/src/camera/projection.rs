@@ -71,7 +71,10 @@ impl Projection {
                 let y = (2.0 * v - 1.0) / aspect.min(OMNIMAX_ASPECT) + 1.0;
                 // The lens of the dome's projector.
                 let lens = |r: f64| 1.411269 * r - 0.09439 * r.powi(3) + 0.25674 * r.powi(5);
-                self.dome(2.0 * u * stretch, y, lens)
+                self.dome(2.0 * u * stretch, y, lens).filter(|ray| {
+                    // The dome ends at a plane tilted 45 degrees.
+                    ray.direction.dot(self.frame[1]) >= -ray.direction.dot(self.frame[2])
+                })
             }
             CameraKind::UltraWideAngle => {
                 let (x, y) = (u * horizontal, v * horizontal * height / width);
@@ -82,8 +85,8 @@ impl Projection {
                 here(self.right * x.sin() + self.up * y.tan() + self.direction * x.cos())
             }
             CameraKind::Spherical => {
-                let (x, y) = (u * horizontal, v * vertical);
-                here(self.towards(x.sin() * y.cos(), y.sin(), x.cos() * y.cos()))
+                let raised = self.direction.rotated(self.frame[0], -v * vertical);
+                here(raised.rotated(self.frame[1], u * horizontal))
             }
             CameraKind::Cylinder1 => {
                 let x = u * horizontal;

@@ -70,6 +70,12 @@ impl Vec3 {
         }
     }
 
+    /// The vector turned about a unit axis by an angle in radians, counterclockwise seen against a right-handed axis.
+    pub fn rotated(self, axis: Vec3, angle: f64) -> Vec3 {
+        let (sin, cos) = angle.sin_cos();
+        self * cos + axis.cross(self) * sin + axis * (axis.dot(self) * (1.0 - cos))
+    }
+
     /// Component-wise product.
     #[inline]
     pub fn mul_each(self, o: Vec3) -> Vec3 {
