@@ -51,6 +51,11 @@ impl Projection {
         self.location
     }
 
+    /// Whether all rays start at the camera's place.
+    pub fn has_one_origin(&self) -> bool {
+        !matches!(self.kind, CameraKind::Orthographic | CameraKind::Cylinder3 | CameraKind::Cylinder4)
+    }
+
     /// The ray through (u, v), each from -0.5 to 0.5, to the right and up; any length. `None` outside a round picture.
     pub fn ray(&self, u: f64, v: f64) -> Option<Ray> {
         let from = |origin: Vec3, direction: Vec3| Some(Ray { origin, direction });

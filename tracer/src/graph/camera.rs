@@ -35,7 +35,7 @@ pub struct FocalBlur {
     pub focal_distance: f64,
     pub confidence: f64,
     pub variance: f64,
-    pub bokeh: Option<Pigment>,
+    pub bokeh: Option<Shared<Pigment>>,
 }
 
 /// `mesh_camera { ... }`.

@@ -7,6 +7,7 @@ use crate::color::Rgb;
 use crate::geometry::{Geometry, NodeId};
 use crate::graph::Interior;
 use crate::light::Light;
+use crate::math::Vec3;
 use crate::noise::NoiseGenerator;
 use crate::radiosity;
 use crate::shade::{BodyId, Interiors, Spot, Texture, TextureId};
@@ -139,9 +140,16 @@ impl Scene {
 
     /// Tells the camera which objects it stands in.
     pub(super) fn place_camera(&mut self) {
-        for node in self.geometry.containing(self.camera.location()) {
-            self.camera.interiors.enter(self.body_of(node));
+        if self.camera.interiors.is_some() {
+            self.camera.interiors = Some(self.interiors_around(self.camera.location()));
         }
+    }
+
+    /// The objects that a place is in.
+    pub fn interiors_around(&self, place: Vec3) -> Interiors {
+        let mut interiors = Interiors::NONE;
+        self.geometry.containing(place).into_iter().for_each(|node| interiors.enter(self.body_of(node)));
+        interiors
     }
 }
 

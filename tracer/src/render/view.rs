@@ -1,7 +1,6 @@
 //! The picture's plane: light through any point of it.
 
 use super::Random;
-use crate::color::Rgb;
 use crate::shade::{Radiance, Tracer};
 
 /// The size of the whole picture, in pixels.
@@ -24,11 +23,16 @@ pub struct View<'t, 's> {
 impl View<'_, '_> {
     /// Light through one point, in pixels from the left and from the top. Random numbers depend on the point alone.
     pub fn sample(&mut self, x: f64, y: f64) -> Radiance {
-        let scene = self.tracer.scene;
         self.tracer.random = Random::seeded(x.to_bits(), y.to_bits(), 0);
-        match scene.camera.path(x / self.size.width as f64, y / self.size.height as f64) {
-            Some(path) => self.tracer.trace(&path, 1.0),
-            None => Radiance { rgb: Rgb::BLACK, transmit: 1.0 },
-        }
+        let camera = &self.tracer.scene.camera;
+        let ray = |x: f64, y: f64| camera.ray(x / self.size.width as f64, y / self.size.height as f64);
+        let Some(lens) = &camera.lens else { return self.tracer.look(ray(x, y)) };
+        // Focal blur spreads its rays over the pixel, too.
+        lens.gather(|number| {
+            let random = &mut self.tracer.random;
+            let (dx, dy) = (random.unit() - 0.5, random.unit() - 0.5);
+            let deflected = ray(x + dx, y + dy).map(|ray| lens.deflect(&ray, number, random));
+            self.tracer.look(deflected)
+        })
     }
 }

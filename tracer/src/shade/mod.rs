@@ -114,6 +114,17 @@ impl<'s> Tracer<'s> {
         }
     }
 
+    /// Light arriving along a ray of the camera, whose direction may have any length; nothing is seen along none.
+    pub fn look(&mut self, ray: Option<Ray>) -> Radiance {
+        let Some(Ray { origin, direction }) = ray else {
+            return Radiance { rgb: Rgb::BLACK, transmit: 1.0 };
+        };
+        let scene = self.scene;
+        let interiors = scene.camera.interiors.unwrap_or_else(|| scene.interiors_around(origin));
+        let ray = Ray { origin, direction: direction.normalized() };
+        self.trace(&Path { ray, interiors, kind: RayKind::Camera, band: None }, 1.0)
+    }
+
     /// Light arriving along a ray that counts with `weight` in the pixel.
     pub fn trace(&mut self, path: &Path, weight: f64) -> Radiance {
         self.trace_far(path, weight).0
