@@ -245,7 +245,7 @@ mod tests {
             });
             count
         };
-        assert_eq!(rays(1.0), 7);
+        assert_eq!(rays(10.0), 7);
         assert!((8..100).contains(&rays(1e-2)));
         assert_eq!(rays(0.0), 100);
     }

@@ -51,16 +51,16 @@ pub fn fixed_grid(view: &mut View, tile: &Tile, settings: &Antialiasing) -> Vec<
     let mut refined = vec![false; width * height];
     for row in 0..height {
         let outside = Seen::new(view.sample(left - 1.0, top + row as f64), settings);
-        for column in 0..width {
+        for (column, rim) in above.iter().enumerate() {
             let here = row * width + column;
             let (x, y) = center(column, row);
             pixels[here] = Seen::new(view.sample(x, y), settings);
             let beside = (column > 0).then(|| here - 1);
             let over = (row > 0).then(|| here - width);
-            let differs = |at: Option<usize>, rim: &Seen| {
-                at.map_or(rim, |at| &pixels[at]).differs(&pixels[here], settings)
+            let differs = |at: Option<usize>, outside: &Seen| {
+                at.map_or(outside, |at| &pixels[at]).differs(&pixels[here], settings)
             };
-            let (from_left, from_top) = (differs(beside, &outside), differs(over, &above[column]));
+            let (from_left, from_top) = (differs(beside, &outside), differs(over, rim));
             let wanted = [
                 (beside.filter(|_| from_left), (x - 1.0, y)),
                 (over.filter(|_| from_top), (x, y - 1.0)),
