@@ -31,7 +31,10 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class Operation:
-    """``operator`` is one of ``+ - * / neg < <= = != >= > & |`` or the keyword of a float function (``sin``, ...)."""
+    """``operator`` is one of ``+ - * / neg < <= = != >= > & |`` or the keyword of a float function (``sin``, ...).
+
+    Operators of two operands may have more: ``+`` of a, b and c is (a + b) + c.
+    """
 
     operator: str
     operands: tuple[Expression, ...]

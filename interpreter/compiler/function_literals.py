@@ -80,8 +80,8 @@ class FunctionLiterals(Calls):
             case tree.Unary(operator=operator, operand=operand) if operator != "!":
                 inside = self._body(operand, scope)
                 return inside if operator == "+" else self._operation("neg", [inside], node)
-            case tree.Binary(operator=operator, left=left, right=right):
-                return self._operation(operator, [self._body(left, scope), self._body(right, scope)], node)
+            case tree.Binary():
+                return self._chain(node, scope)
             case tree.BuiltinCall():
                 return self._builtin(node, scope)
             case tree.Call(of=of, items=items):
@@ -90,6 +90,16 @@ class FunctionLiterals(Calls):
                 component = -1 if name == "gray" else COMPONENTS.get(name, 9)
                 return self._function_call(of, items, component, node, scope)
         return self._refused("this cannot stand in a function", node)
+
+    def _chain(self, node: tree.Binary, scope: dict[str, int]) -> ast.expr:
+        """``a + b + c ...``: one operation of all its operands, so that long sums are not nested deeply."""
+        operands: list[tree.Expression] = []
+        left: tree.Expression = node
+        while isinstance(left, tree.Binary) and left.operator == node.operator:
+            operands.append(left.right)
+            left = left.left
+        operands.append(left)
+        return self._operation(node.operator, [self._body(operand, scope) for operand in reversed(operands)], node)
 
     def _operation(self, operator: str, operands: Sequence[ast.expr], node: tree.Node) -> ast.expr:
         self.emit.at(node)

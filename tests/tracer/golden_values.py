@@ -259,7 +259,6 @@ INTERNAL: dict[int, list[str]] = {
     21: ["1 1 1 0 0 0", "0.3 0.7 1.4 0 0 0", "0.3 0.7 1.4 1 0.4 25"],
     22: ["1", "0.3"],
     23: ["1", "0.1"],
-    24: ["1 10 2 0.15 0.5 1 0.3 0 0 0", "0.8 5 1 0.3 1 1.1 0.2 3 0.4 0.7", "0.5 3 0 0.3 0 1.1 0.2 1 0.4 10"],
     25: ["2 5 0.3 0.6 1 1 0", "3 4 0.2 0.7 2 0.5 30", "1 -3 0.4 0.9 0.7 3 0", "2 5 0.3 0.6 1 2 20", "2 5 .3 .6 1 0 10"],
     26: [
         "0 5 0.3 0.6 0 1 0",
@@ -324,15 +323,21 @@ INTERNAL: dict[int, list[str]] = {
 
 
 def functions() -> None:
-    """The functions that the language brings with it; a case's name has the number and the extra parameters."""
+    """The functions that the language brings with it; a case's name has the number and the extra parameters.
+
+    POV-Ray keeps the spectrum of a fractal's first call, so each scene asks for one set of parameters per function.
+    """
     points = scattered(40, 1.4, 6) + scattered(6, 8, 7) + SPECIAL
     declared = "\n".join(f"#declare F{number}=function{{internal({number})}};" for number in INTERNAL)
-    cases = {
-        f"{number} {words}".strip(): f"F{number}({', '.join(['X', 'Y', 'Z', *words.split()])})"
-        for number, sets in INTERNAL.items()
-        for words in sets
-    }
-    write("functions", points, dict(zip(cases, ask(declared, list(cases.values()), points), strict=True)))
+    answers: dict[str, list[str]] = {}
+    for turn in range(max(map(len, INTERNAL.values()))):
+        cases = {
+            f"{number} {sets[turn]}".strip(): f"F{number}({', '.join(['X', 'Y', 'Z', *sets[turn].split()])})"
+            for number, sets in INTERNAL.items()
+            if turn < len(sets)
+        }
+        answers |= dict(zip(cases, ask(declared, list(cases.values()), points), strict=True))
+    write("functions", points, answers)
 
 
 if __name__ == "__main__":

@@ -97,7 +97,7 @@ pub fn spikes_2d(p: Vec3, c: &[f64]) -> f64 {
 /// The density of an electron's orbit.
 pub fn quantum(p: Vec3, _: &[f64]) -> f64 {
     let shape = 2.0 * p.y * p.y - p.x * p.x - p.z * p.z;
-    1.2 - 1.6 * shape * shape * (-p.length() * 4.0 / 3.0).exp()
+    1.2 - 1.6 * shape * shape * (-p.length() * 1.33333332).exp()
 }
 
 pub fn poly4(p: Vec3, c: &[f64]) -> f64 {

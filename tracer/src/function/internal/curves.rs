@@ -13,7 +13,7 @@ fn in_plane(p: Vec3, switch: f64, offset: f64, angle: f64) -> (f64, f64) {
     }
     let from_axis = p.x.hypot(p.z) - offset;
     let (sin, cos) = angle.to_radians().sin_cos();
-    (from_axis * cos + p.y * sin, -from_axis * sin + p.y * cos)
+    (from_axis * cos - p.y * sin, from_axis * sin + p.y * cos)
 }
 
 fn limited(value: f64, limit: f64) -> f64 {

@@ -53,11 +53,7 @@ pub fn hetero_mf(p: Vec3, c: &[f64]) -> f64 {
     let octaves = octaves.min(MOST_OCTAVES);
     let step = |q: Vec3, i: i32, value: f64| {
         let increment = (signed(generator, q) + offset) * spectrum(h, lacunarity, i);
-        if t >= 1.0 {
-            increment * value
-        } else {
-            increment
-        }
+        increment * value.powi(t as i32)
     };
     while f64::from(i) < octaves {
         value += step(q, i, value);
@@ -66,29 +62,28 @@ pub fn hetero_mf(p: Vec3, c: &[f64]) -> f64 {
     }
     let remainder = octaves - octaves.trunc();
     if remainder != 0.0 {
-        value += remainder * step(q, i, value);
+        value += remainder * value * step(q, i, value);
     }
     value
 }
 
-/// A mean of octaves, turned upside down above the ridge.
+/// A mean of octaves, each folded up at the ridge, then shifted.
 pub fn ridge(p: Vec3, c: &[f64]) -> f64 {
     let &[lambda, octaves, omega, offset, ridge, number, ..] = c else { return 0.0 };
     let generator = generator(number);
-    let height = |q: Vec3| {
-        let noise = generator.noise(q) / (1.0 - offset);
-        if ridge > 0.0 {
-            1.0 - noise / ridge
-        } else {
-            noise
-        }
-    };
+    // Divided by the larger of what lies below and above.
+    let around = |value: f64, middle: f64| (value - middle) / middle.max(1.0 - middle);
+    let height = |q: Vec3| around(around(generator.noise(q), ridge).abs(), offset);
     let (mut sum, mut total, mut q, mut weight) = (height(p), 1.0, p, 1.0);
-    for _ in 1..octaves.min(MOST_OCTAVES) as u32 {
+    let mut left = octaves.min(MOST_OCTAVES) - 1.0;
+    while left > 0.0 {
         q = q * lambda;
         weight *= omega;
-        sum += weight * height(q);
-        total += weight;
+        // The last octave may count in part.
+        let share = weight * left.min(1.0);
+        sum += share * height(q);
+        total += share;
+        left -= 1.0;
     }
     sum / total
 }

@@ -25,7 +25,7 @@ pub enum Internal {
 }
 
 /// More numbers after the point than any internal function takes.
-const MOST_PARAMETERS: usize = 10;
+const MOST_PARAMETERS: usize = 7;
 
 impl Internal {
     /// Function number `number`; None where there is none.
@@ -55,7 +55,6 @@ impl Internal {
             21 => (curves::folium_surface_2d, 6),
             22 => (surfaces::glob, 1),
             23 => (surfaces::heart, 1),
-            24 => (windings::helical_torus, 10),
             25 => (windings::helix1, 7),
             26 => (windings::helix2, 7),
             27 => (bodies::hex_x, 1),
@@ -74,7 +73,7 @@ impl Internal {
             40 => (windings::mesh1, 5),
             41 => (surfaces::mitre, 1),
             42 => (surfaces::nodal_cubic, 1),
-            43 => (surfaces::odd, 1),
+            43 => (surfaces::cushion, 1),
             44 => (surfaces::ovals_of_cassini, 4),
             45 => (surfaces::paraboloid, 1),
             46 => (surfaces::parabolic_torus, 3),

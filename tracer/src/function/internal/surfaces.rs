@@ -54,19 +54,15 @@ pub fn cubic_saddle(p: Vec3, c: &[f64]) -> f64 {
     limited(c[0] * (p.z + p.y.powi(3) - p.x.powi(3)))
 }
 
-/// Without its last term the cushion is what `functions.inc` calls odd.
-pub fn odd(p: Vec3, c: &[f64]) -> f64 {
-    limited(c[0] * odd_field(p))
-}
-
-fn odd_field(p: Vec3) -> f64 {
+/// Serves `f_odd` too.
+pub fn cushion(p: Vec3, c: &[f64]) -> f64 {
     let (x2, y2, z2) = squares(p);
     let z = p.z;
-    x2 * z2 - z2 * z2 + 2.0 * z2 * z - 2.0 * z2 + x2 - y2 * y2 - 2.0 * x2 * y2 - y2 * z2 + 2.0 * y2 * z + y2
-}
-
-pub fn cushion(p: Vec3, c: &[f64]) -> f64 {
-    limited(c[0] * (odd_field(p) - p.x.powi(4)))
+    let value =
+        x2 * z2 - z2 * z2 + 2.0 * z2 * z - 2.0 * z2 + x2 - x2 * x2 - y2 * y2 - 2.0 * x2 * y2 - y2 * z2
+            + 2.0 * y2 * z
+            + y2;
+    limited(c[0] * value)
 }
 
 pub fn devils_curve(p: Vec3, c: &[f64]) -> f64 {
@@ -77,27 +73,29 @@ pub fn devils_curve(p: Vec3, c: &[f64]) -> f64 {
 /// A torus shifted by `c[3]`, `c[4]`, seen in a mirror sphere of radius `c[5]`.
 pub fn dupin_cyclid(p: Vec3, c: &[f64]) -> f64 {
     let (x2, y2, z2) = squares(p);
-    let _ = (x2, y2, z2);
-    limited(c[0])
+    let (r2, k2) = (x2 + y2 + z2, c[5] * c[5]);
+    let k4 = k2 * k2;
+    let (dx, dy) = (c[3], c[4]);
+    // The equation of the torus at the mirrored point, times the fourth power of the distance.
+    let to_center = k4 - 2.0 * k2 * (p.x * dx + p.y * dy) + r2 * (dx * dx + dy * dy);
+    let major2 = c[1] * c[1];
+    let ring = sq(k2 * p.x - dx * r2) + k4 * z2;
+    let wider = r2 * (major2 - c[2] * c[2]);
+    // POV-Ray mistakes a sign: a square would have `to_center` alone in its middle term.
+    let middle = to_center + 4.0 * k2 * p.y * dy;
+    limited(-c[0] * (sq(to_center) + 2.0 * wider * middle + sq(wider) - 4.0 * major2 * ring))
 }
 
+/// Nearer to 0, z counts as this.
+const ENNEPER_NEAREST: f64 = 0.2;
+
+/// The leading terms of Enneper's surface.
 pub fn enneper(p: Vec3, c: &[f64]) -> f64 {
     let (x2, y2, z2) = squares(p);
-    let z = p.z;
-    let (sum, difference) = (x2 + y2, y2 - x2);
-    let value = 64.0 * z.powi(9) - 128.0 * z.powi(7) + 64.0 * z.powi(5)
-        - 702.0 * x2 * y2 * z * z2
-        - 18.0 * x2 * y2 * z
-        + 144.0 * difference * z2.powi(3)
-        + 162.0 * difference * sum * z2
-        + 27.0 * (y2.powi(3) - x2.powi(3))
-        + 9.0 * (x2 * x2 + y2 * y2) * z
-        + 48.0 * sum * z * z2
-        - 432.0 * sum * z * z2 * z2
-        - 81.0 * x2 * y2 * difference
-        + 240.0 * difference * z2 * z2
-        - 135.0 * (x2 * x2 + y2 * y2) * z * z2;
-    limited(c[0] * value)
+    let z = if p.z.abs() < ENNEPER_NEAREST { ENNEPER_NEAREST } else { p.z };
+    let difference = y2 - x2;
+    let value = (difference / (2.0 * z) + 2.0 / 9.0 * z2).powi(3) - 6.0 * sq(difference / (4.0 * z));
+    limited(-c[0] * value)
 }
 
 pub fn folium_surface(p: Vec3, c: &[f64]) -> f64 {
@@ -196,7 +194,7 @@ pub fn parabolic_torus(p: Vec3, c: &[f64]) -> f64 {
 
 pub fn pillow(p: Vec3, c: &[f64]) -> f64 {
     let (x2, y2, z2) = squares(p);
-    limited(-c[0] * (x2 * x2 + y2 * y2 + z2 * z2 - x2 - y2 - z2))
+    limited(c[0] * (x2 * x2 + y2 * y2 + z2 * z2 - x2 - y2 - z2))
 }
 
 pub fn piriform(p: Vec3, c: &[f64]) -> f64 {
