@@ -7,14 +7,17 @@ pub use lens::Lens;
 use projection::Projection;
 
 use crate::graph::camera as graph;
-use crate::math::{Ray, Vec3};
+use crate::math::{vec3, Ray, Vec3};
+use crate::pattern::SurfaceContext;
 use crate::shade::Interiors;
-use crate::texture::Pigment;
+use crate::texture::{Builder, Normal};
 
 /// A camera made ready for rays.
 #[derive(Clone, Debug)]
 pub struct Camera {
     projection: Projection,
+    /// Bumps that the rays are turned by, in the picture's plane.
+    normal: Option<Normal>,
     /// Focal blur, if any.
     pub lens: Option<Lens>,
     /// The objects that the camera's place is in; none where rays start from several places.
@@ -22,12 +25,16 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// Prepares a camera; the name of what cannot be rendered comes with it. The pigment is that of `bokeh`.
-    pub fn new(camera: &graph::Camera, bokeh: Option<&Pigment>) -> (Camera, Option<&'static str>) {
+    /// Prepares a camera; the name of what cannot be rendered comes with it.
+    pub fn new(camera: &graph::Camera, patterns: &mut Builder) -> (Camera, Option<&'static str>) {
         let (projection, unsupported) = Projection::new(camera);
-        let lens = camera.focal_blur.as_ref().map(|blur| Lens::new(blur, camera, bokeh));
+        let lens = camera.focal_blur.as_ref().map(|blur| {
+            let bokeh = blur.bokeh.as_ref().map(|pigment| patterns.pigment(pigment));
+            Lens::new(blur, camera, bokeh.as_ref())
+        });
+        let normal = camera.normal.as_ref().map(|normal| patterns.normal(normal));
         let fixed = lens.is_none() && projection.has_one_origin();
-        (Camera { projection, lens, interiors: fixed.then_some(Interiors::NONE) }, unsupported)
+        (Camera { projection, normal, lens, interiors: fixed.then_some(Interiors::NONE) }, unsupported)
     }
 
     /// Where the rays start, as far as they share a place.
@@ -38,6 +45,15 @@ impl Camera {
     /// The ray through picture point (x, y), each 0 to 1 from the left and from the top; its direction has any length.
     /// `None` where the projection shows nothing.
     pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
-        self.projection.ray(x - 0.5, 0.5 - y)
+        let (u, v) = (x - 0.5, 0.5 - y);
+        let ray = self.projection.ray(u, v)?;
+        Some(match &self.normal {
+            None => ray,
+            Some(bumps) => {
+                let ahead = ray.direction.normalized();
+                let direction = bumps.perturb(vec3(u, v, 0.0), ahead, &SurfaceContext::NONE);
+                Ray { direction, ..ray }
+            }
+        })
     }
 }

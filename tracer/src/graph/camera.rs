@@ -69,7 +69,7 @@ pub struct Camera {
     pub angle: f64,
     pub vertical_angle: f64,
     pub focal_blur: Option<FocalBlur>,
-    pub normal: Option<Normal>,
+    pub normal: Option<Shared<Normal>>,
     pub mesh: Option<MeshCamera>,
     pub user_defined: Option<UserDefinedCamera>,
 }

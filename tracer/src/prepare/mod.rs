@@ -31,9 +31,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
     let quality = Quality::new(settings.quality);
     let (textures, dresses) = textures::prepare(scene, &geometry, &quality, &mut patterns, &mut unsupported);
     let (lights, light_sets) = lights::prepare(scene, &geometry, kind, &mut patterns, &mut unsupported);
-    let bokeh = scene.camera.focal_blur.as_ref().and_then(|blur| blur.bokeh.as_ref());
-    let bokeh = bokeh.map(|pigment| patterns.pigment(pigment));
-    let (camera, missing) = Camera::new(&scene.camera, bokeh.as_ref());
+    let (camera, missing) = Camera::new(&scene.camera, &mut patterns);
     unsupported.extend(missing.map(|what| Unsupported { feature: what.into(), source: String::new() }));
     let interiors = geometry.interiors.iter().map(|worn| (*worn.item).clone()).collect();
     let sky = Sky::new(scene, settings.alpha, &mut patterns);

@@ -114,7 +114,11 @@ impl Builder<'_> {
         let quick = plain.pigment.quick_color.filter(|_| self.quality.quick_colors);
         Layer {
             pigment: quick.map_or_else(|| self.patterns.pigment(&plain.pigment), Pigment::Solid),
-            normal: plain.normal.as_ref().map(|node| self.patterns.normal(node)),
+            normal: plain
+                .normal
+                .as_ref()
+                .filter(|_| self.quality.normals)
+                .map(|node| self.patterns.normal(node)),
             finish: Finish::new(&plain.finish, self.ambient_light),
         }
     }
