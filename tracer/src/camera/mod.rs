@@ -51,7 +51,8 @@ impl Camera {
             None => ray,
             Some(bumps) => {
                 let ahead = ray.direction.normalized();
-                let direction = bumps.perturb(vec3(u, v, 0.0), ahead, &SurfaceContext::NONE);
+                let [x, y] = self.projection.bump_place(u, v);
+                let direction = bumps.perturb(vec3(x, y, 0.0), ahead, &SurfaceContext::NONE);
                 Ray { direction, ..ray }
             }
         })

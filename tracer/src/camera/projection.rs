@@ -56,6 +56,28 @@ impl Projection {
         !matches!(self.kind, CameraKind::Orthographic | CameraKind::Cylinder3 | CameraKind::Cylinder4)
     }
 
+    /// Where in the plane of the camera's `normal` the ray through (u, v) asks for bumps: at the coordinates that the
+    /// law of its kind works with.
+    pub fn bump_place(&self, u: f64, v: f64) -> [f64; 2] {
+        let [width, height] = self.size;
+        let [horizontal, vertical] = self.angle;
+        match self.kind {
+            CameraKind::Fisheye => {
+                let (x, y) = (2.0 * u * width, 2.0 * v * height);
+                let radius = x.hypot(y);
+                let turn = if radius > 0.0 { (y / radius).asin() } else { 0.0 };
+                [if x < 0.0 { PI - turn } else { turn }, radius * horizontal / 2.0]
+            }
+            CameraKind::UltraWideAngle => [u * horizontal, v * horizontal * height / width],
+            CameraKind::Omnimax => self.omnimax_place(u, v),
+            CameraKind::Panoramic => [PI * (0.5 - u), PI * v],
+            CameraKind::Spherical => [u * horizontal, v * vertical],
+            CameraKind::Cylinder1 | CameraKind::Cylinder3 => [u * horizontal, v * height],
+            CameraKind::Cylinder2 | CameraKind::Cylinder4 => [u * width, v * horizontal],
+            _ => [u, v],
+        }
+    }
+
     /// The ray through (u, v), each from -0.5 to 0.5, to the right and up; any length. `None` outside a round picture.
     pub fn ray(&self, u: f64, v: f64) -> Option<Ray> {
         let from = |origin: Vec3, direction: Vec3| Some(Ray { origin, direction });
@@ -71,12 +93,10 @@ impl Projection {
                 self.dome(2.0 * u * width, 2.0 * v * height, |radius| radius * horizontal / 2.0)
             }
             CameraKind::Omnimax => {
-                let aspect = width / height;
-                let stretch = if aspect > OMNIMAX_ASPECT { aspect / OMNIMAX_ASPECT } else { 1.0 };
-                let y = (2.0 * v - 1.0) / aspect.min(OMNIMAX_ASPECT) + 1.0;
+                let [x, y] = self.omnimax_place(u, v);
                 // The lens of the dome's projector.
                 let lens = |r: f64| 1.411269 * r - 0.09439 * r.powi(3) + 0.25674 * r.powi(5);
-                self.dome(2.0 * u * stretch, y, lens).filter(|ray| {
+                self.dome(x, y, lens).filter(|ray| {
                     // The dome ends at a plane tilted 45 degrees.
                     ray.direction.dot(self.frame[1]) >= -ray.direction.dot(self.frame[2])
                 })
@@ -110,6 +130,13 @@ impl Projection {
                 from(self.location + self.right * u, self.towards(0.0, y.sin(), y.cos()))
             }
         }
+    }
+
+    /// The place on an omnimax dome's disc.
+    fn omnimax_place(&self, u: f64, v: f64) -> [f64; 2] {
+        let aspect = self.size[0] / self.size[1];
+        let stretch = if aspect > OMNIMAX_ASPECT { aspect / OMNIMAX_ASPECT } else { 1.0 };
+        [2.0 * u * stretch, (2.0 * v - 1.0) / aspect.min(OMNIMAX_ASPECT) + 1.0]
     }
 
     fn towards(&self, right: f64, up: f64, ahead: f64) -> Vec3 {
