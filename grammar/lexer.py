@@ -37,7 +37,7 @@ _TOKEN: Final = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 _COMMENT_EDGE: Final = re.compile(r"/\*|\*/")
-_BULK_FLOAT: Final = re.compile(_SIGNED)
+_BLANKED: Final = str.maketrans("<>,", "   ")
 
 _PUNCTUATION: Final = {
     "(": "LPAR", ")": "RPAR", "<": "LESS", ">": "MORE", "[": "LSQB", "]": "RSQB", "{": "LBRACE", "}": "RBRACE",
@@ -193,7 +193,7 @@ def _directive(value: str, path: str, line: int, column: int) -> str:
 
 def _bulk(value: str) -> Any:
     size = value[: value.index(">")].count(",") + 1
-    numbers = np.array(_BULK_FLOAT.findall(value), dtype=np.float64)
+    numbers = np.fromstring(value.translate(_BLANKED), sep=" ")
     if len(numbers) != size * value.count("<"):
         return None
     return numbers.reshape(-1, size), value.rstrip().endswith(",")

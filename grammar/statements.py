@@ -18,6 +18,7 @@ HOLE: Final = "\x01"
 
 _LEAST: Final = 24
 _DEEPEST: Final = 6
+_LONGEST: Final = 4000
 _WORDS: Final = (
     "sphere|cylinder|box|cone|torus|disc|plane|triangle|smooth_triangle|polygon|object|union|merge|intersection"
     "|difference|light_source|mesh|mesh2|superellipsoid"
@@ -37,6 +38,7 @@ _STATEMENT: Final = re.compile(
     rf"(?:{_WORDS})\b\s*+{_nested('{', '}', _DEEPEST)}"
     rf"|[A-Z_]\w*+\s*+{_nested('(', ')', 2)}(?=\s*+[A-Za-z_]|\s*+\Z)"
 )
+_CLOSING: Final = re.compile("[})]")
 _BLANKS: Final = re.compile(r"\s*+")
 
 
@@ -67,6 +69,8 @@ def find_run(text: str, start: int, line: int, version_38: bool) -> tuple[Run | 
     lines: list[int] = []
     numbers: list[list[str]] = []
     at, counted = start, start
+    if not _may_begin(text, start):
+        return None, start + 1
     while statement := _STATEMENT.match(text, at):
         line += text.count("\n", counted, at)
         counted = at
@@ -92,6 +96,17 @@ def find_run(text: str, start: int, line: int, version_38: bool) -> tuple[Run | 
     settled = [_settled(*parts) for parts in zip(shapes, numbers, rows, strict=True)]
     texts, varying = zip(*settled, strict=True)
     return Run(texts, tuple(starts), tuple(order), tuple(lines), varying, version_38), end
+
+
+def _may_begin(text: str, start: int) -> bool:
+    """Whether some statements could follow here: a quick look before the thorough one."""
+    at = start
+    for _ in range(3):
+        first = _CLOSING.search(text, at, at + _LONGEST)
+        if first is None:
+            return False
+        at = first.end()
+    return True
 
 
 def _rows(numbers: list[str], width: int) -> NDArray[np.float64]:

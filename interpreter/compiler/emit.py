@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Sequence
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-from minipov.grammar import tree
+if TYPE_CHECKING:
+    from minipov.grammar import tree
 
 Statements: TypeAlias = list[ast.stmt]
 Names: TypeAlias = list[str]

@@ -14,7 +14,7 @@ from minipov.interpreter.compiler.items import has_open_terms
 from minipov.interpreter.compiler.program import ENTRY, Program
 from minipov.interpreter.compiler.shapes import EXPRESSIONS
 from minipov.interpreter.errors import SdlError
-from minipov.interpreter.runtime.places import MACRO_PREFIX
+from minipov.interpreter.runtime.places import MACRO_PREFIX, SHAPE_PREFIX
 
 
 class FileBody(Directives):
@@ -41,7 +41,7 @@ class FileBody(Directives):
             body = FileBody(self.unit)
             body.items(items)
             holes = [f"n{index}" for index in range(numbers.shape[1])]
-            name = self.unit.unique("shape")
+            name = self.unit.unique(SHAPE_PREFIX)
             self.unit.functions.append(body.emit.at(node).function(name, holes, body.statements, opens=False))
             shapes.append(name)
         self.emit.at(node)

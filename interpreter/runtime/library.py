@@ -9,7 +9,6 @@ from minipov.interpreter.arrays import UNSET, Array, Dictionary, copied, subscri
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import Item, Punctuation, Sink, Word
 from minipov.interpreter.runtime import calls, dictionaries, evaluate, operators, pending, splice  # noqa: F401
-from minipov.interpreter.runtime.alike import Alike
 from minipov.interpreter.runtime.builtins import BUILTINS
 from minipov.interpreter.runtime.macros import MISSING, Macro
 from minipov.interpreter.runtime.names import Cell, FixedCell, Symbol, global_cell
@@ -150,6 +149,11 @@ def library(running: Running) -> dict[str, Any]:
         symbols = tuple(running.names[parameter] for parameter in parameters)
         symbol.c = FixedCell(symbol.name, Macro(symbol.name, parameters, symbols, least, function, returns, blocks))
 
+    def run_statements(*what: Any) -> None:
+        from minipov.interpreter.runtime.alike import Alike  # few scenes need it
+
+        Alike(blocks, running.context.messages).run(*what)
+
     def push(item: Item, place: Place) -> None:
         blocks.sink.push(item, place)
 
@@ -168,7 +172,7 @@ def library(running: Running) -> dict[str, Any]:
     names.update((name, getattr(running, name)) for name in _OF_RUNNING)
     names |= {
         "open_block": blocks.open,
-        "run_statements": Alike(blocks, running.context.messages).run,
+        "run_statements": run_statements,
         "close_block": blocks.close,
         "open_brace": blocks.open_brace,
         "open_bracket": blocks.open_bracket,

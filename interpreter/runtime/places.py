@@ -13,6 +13,9 @@ from minipov.interpreter.errors import NOWHERE, Place
 MARK: Final = "__sdl__"
 """A global of every compiled file, by which its frames are known; holds the file's name."""
 
+SHAPE_PREFIX: Final = "shape_"
+"""The start of the Python name of the function of statements alike."""
+
 MACRO_PREFIX: Final = "macro_"
 """The start of the Python name of a macro's function; the file's own code is named differently."""
 
@@ -20,13 +23,13 @@ MACRO_PREFIX: Final = "macro_"
 _positions: WeakKeyDictionary[CodeType, list[tuple[int, int]]] = WeakKeyDictionary()
 
 
-def position(code: CodeType, instruction: int, file: str, shift: int) -> Place:
-    """The place of the instruction at byte ``instruction``; ``shift`` lines down for code that serves many lines."""
+def position(code: CodeType, instruction: int, file: str) -> Place:
+    """The place of the instruction at byte ``instruction``."""
     positions = _positions.get(code)
     if positions is None:
         positions = _positions[code] = [(line or 0, (column or 0) + 1) for line, _, column, _ in code.co_positions()]
     line, column = positions[instruction // 2] if instruction >= 0 else (0, 1)
-    return (file, line + shift, column)
+    return (file, line, column)
 
 
 def is_scene(frame: FrameType) -> bool:
@@ -35,8 +38,7 @@ def is_scene(frame: FrameType) -> bool:
 
 
 def _place(frame: FrameType, instruction: int) -> Place:
-    shift = frame.f_locals.get("shift", 0)
-    return position(frame.f_code, instruction, frame.f_globals[MARK], shift)
+    return position(frame.f_code, instruction, frame.f_globals[MARK])
 
 
 def current_place() -> Place:
@@ -48,12 +50,17 @@ def current_place() -> Place:
 
 
 def trace(traceback: TracebackType | None) -> list[tuple[str, Place]]:
-    """The compiled frames of an exception, innermost first: the macro's name ("" for a file's own code) and place."""
+    """The compiled frames of an exception, innermost first: the macro's name ("" for a file's own code) and place.
+
+    Statements alike, called by their file's code, do not count as another frame.
+    """
     frames = []
     while traceback is not None:
         if is_scene(traceback.tb_frame):
             name = traceback.tb_frame.f_code.co_name
             macro = name.removeprefix(MACRO_PREFIX) if name.startswith(MACRO_PREFIX) else ""
+            if name.startswith(SHAPE_PREFIX) and frames:
+                frames.pop()
             frames.append((macro, _place(traceback.tb_frame, traceback.tb_lasti)))
         traceback = traceback.tb_next
     frames.reverse()
