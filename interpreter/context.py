@@ -11,7 +11,7 @@ from typing import Any, Final, Protocol
 from minipov.interpreter.errors import Messages
 from minipov.tracer.atmosphere import Fog, Rainbow, SkySphere
 from minipov.tracer.camera import Camera
-from minipov.tracer.image import Image
+from minipov.tracer.image import Image, ImagePurpose
 from minipov.tracer.interior import Media
 from minipov.tracer.lights import LightSource
 from minipov.tracer.objects import Object
@@ -23,11 +23,13 @@ from minipov.tracer.values import Rgbft
 class ImageLoader(Protocol):
     """Reads an image file; ``kind`` is SDL's file type word (``png``), or "" to tell by content.
 
-    ``gamma`` None means the file format's default; ``raw`` asks for the stored numbers as they are (bump maps,
-    height fields). Colours come back in the scene's ``working`` space. Raises OSError for what cannot be read.
+    ``gamma`` None means the file format's default in the scene's ``version`` for pictures read for their colours, and
+    the stored numbers for others. Colours come back in the ``working`` space. Raises OSError for what cannot be read.
     """
 
-    def __call__(self, path: Path, kind: str, *, gamma: Gamma, raw: bool, working: Gamma) -> Image: ...
+    def __call__(
+        self, path: Path, kind: str, *, gamma: Gamma, purpose: ImagePurpose, working: Gamma, version: float
+    ) -> Image: ...
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from PIL import Image as Pillow
 from PIL import UnidentifiedImageError
 
 from minipov.gamma import Floats, convert
-from minipov.tracer.image import Image
+from minipov.tracer.image import Image, ImagePurpose
 from minipov.tracer.settings import Gamma
 
 _PALETTE_FORMATS = frozenset({"png", "gif", "bmp", "tga"})
@@ -40,12 +40,19 @@ class _Stored:
 
 
 def load_image(
-    path: Path, kind: str = "", *, gamma: Gamma = None, raw: bool = False, working: Gamma = 1.0, version: float = 3.7
+    path: Path,
+    kind: str = "",
+    *,
+    gamma: Gamma = None,
+    purpose: ImagePurpose = "color",
+    working: Gamma = 1.0,
+    version: float = 3.7,
 ) -> Image:
     """Return the picture in ``path`` with its colours in the ``working`` space.
 
-    ``gamma`` is what the scene says the file uses, None where it says nothing; ``raw`` takes the stored numbers as they
-    are; before ``version`` 3.7 only a curve named in the file counts. ``kind``, SDL's file type, is checked by content.
+    ``gamma`` is what the scene says the file uses; where it says nothing (None) a picture for the ``purpose`` of colour
+    has its format's, other pictures' numbers are taken as they are; before ``version`` 3.7 only a curve named in the
+    file counts. ``kind``, SDL's file type, is checked by content.
 
     Raises:
         OSError: the file is missing, damaged or of an unknown format.
@@ -55,11 +62,12 @@ def load_image(
     count = channels.shape[2]
     alpha = channels[..., -1] if count in (2, 4) else None
     color = channels[..., :1] if count < 3 else channels[..., :3]
-    source = gamma if gamma is not None else (None if raw else _default_curve(stored, version))
+    source = gamma if gamma is not None else (_default_curve(stored, version) if purpose == "color" else None)
     color = convert(color, source, working)
     if alpha is not None and stored.kind in _ASSOCIATED_FORMATS:
         color = np.divide(color, alpha[..., None], out=np.zeros_like(color), where=alpha[..., None] != 0)
-    if count == 1 and stored.kind == "png" and stored.integer_bits == 8 and stored.index is None and not raw:
+    grey_bytes = count == 1 and stored.kind == "png" and stored.integer_bits == 8 and stored.index is None
+    if grey_bytes and purpose != "heights":
         color = _grey_bytes(color)
     return Image(
         color=np.ascontiguousarray(np.broadcast_to(color, (*color.shape[:2], 3)), np.float32),
@@ -128,13 +136,17 @@ def _read_channels(path: Path) -> _Stored:
         raise OSError(f"cannot read {path}: {oiio.geterror()}")
     try:
         kind, spec = opened.format_name(), opened.spec()
-        pixels = opened.read_image(0, 0, 0, min(spec.nchannels, 4), "float")
+        # Whole numbers are scaled here: a division rounds otherwise than the library's multiplication.
+        stored_type = str(spec.format)
+        scale = {"uint8": 255.0, "uint16": 65535.0}.get(stored_type, 1.0)
+        kind_read = stored_type if scale > 1.0 else "float"
+        pixels = opened.read_image(0, 0, 0, min(spec.nchannels, 4), kind_read)
         if pixels is None:
             raise OSError(f"cannot read {path}: {opened.geterror()}")
     finally:
         opened.close()
-    bits = {"uint8": 8, "uint16": 16}.get(str(spec.format), 0)
-    channels = np.asarray(pixels, np.float64).reshape(spec.height, spec.width, -1)
+    bits = {"uint8": 8, "uint16": 16}.get(stored_type, 0)
+    channels = np.asarray(pixels, np.float64).reshape(spec.height, spec.width, -1) / scale
     if kind == "hdr":
         channels = _middle_of_mantissa(channels)
     return _Stored(channels, _OIIO_NAMES.get(kind, kind), bits, _pillow_curve(path) if kind == "png" else None)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from minipov.tracer.image import Image
+    from minipov.tracer.image import Image, ImagePurpose
 
 POLL_SECONDS = 0.05
 _MAX_PIXELS = 1 << 28
@@ -84,11 +84,13 @@ def render_settings(command: CommandLine) -> RenderSettings:
     )
 
 
-def load_image_file(path: Path, kind: str, *, gamma: Gamma, raw: bool, working: Gamma) -> Image:
+def load_image_file(
+    path: Path, kind: str, *, gamma: Gamma, purpose: ImagePurpose, working: Gamma, version: float
+) -> Image:
     """Read an image that a scene names; the libraries for that are loaded by the first."""
     from minipov.image_input import load_image
 
-    return load_image(path, kind, gamma=gamma, raw=raw, working=working)
+    return load_image(path, kind, gamma=gamma, purpose=purpose, working=working, version=version)
 
 
 def start(scene: Scene, settings: RenderSettings, earlier: NDArray[np.float32] | None = None) -> RenderJob:

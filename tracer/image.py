@@ -6,11 +6,14 @@ Reading files is not the tracer's work: an `Image` arrives as arrays, its colour
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, TypeAlias
 
 import numpy as np
 from minipov.tracer.values import Vec2
 from numpy.typing import NDArray
+
+ImagePurpose: TypeAlias = Literal["color", "pattern", "heights"]
+"""What a picture is read for: to be seen, as the values of a pattern, or as a height field."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

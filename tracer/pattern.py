@@ -147,7 +147,14 @@ class ImageMap:
 
 @dataclass(frozen=True, slots=True)
 class ImagePattern:
-    """``image_pattern { ... }``, and ``bump_map { ... }`` in a normal: the grey value of a picture."""
+    """``image_pattern { ... }``: the grey value of a picture."""
+
+    mapping: ImageMapping
+
+
+@dataclass(frozen=True, slots=True)
+class BumpMap:
+    """``bump_map { ... }`` (normals only): the brightness of a picture, or its palette numbers, as heights."""
 
     mapping: ImageMapping
 
@@ -238,6 +245,7 @@ Pattern: TypeAlias = (
     SimplePattern
     | Agate
     | Brick
+    | BumpMap
     | Crackle
     | DensityFile
     | Facets

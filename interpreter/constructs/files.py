@@ -9,7 +9,7 @@ from minipov.interpreter.constructs.gamma import working_gamma
 from minipov.interpreter.context import Context
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.reader import ItemReader
-from minipov.tracer.image import Image
+from minipov.tracer.image import Image, ImagePurpose
 from minipov.tracer.settings import Gamma
 
 EXTENSIONS: Final[dict[str, tuple[str, ...]]] = {
@@ -46,12 +46,13 @@ def find(reader: ItemReader, context: Context, kind: str) -> Path:
     return path
 
 
-def image(reader: ItemReader, context: Context, path: Path, kind: str, *, gamma: Gamma, raw: bool) -> Image:
+def image(reader: ItemReader, context: Context, path: Path, kind: str, *, gamma: Gamma, purpose: ImagePurpose) -> Image:
     """The picture at ``path``."""
     load = context.options.load_image
     if load is None:
         raise SdlError(f"{reader.name}: this run has no reader of image files", reader.place)
     try:
-        return load(path, kind, gamma=gamma, raw=raw, working=working_gamma(context))
+        working, version = working_gamma(context), context.version
+        return load(path, kind, gamma=gamma, purpose=purpose, working=working, version=version)
     except OSError as error:
         raise SdlError(f"{reader.name}: cannot read '{path}': {error}", reader.place) from error

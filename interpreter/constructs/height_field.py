@@ -39,7 +39,7 @@ def heights_of(picture: Image) -> NDArray[np.float64]:
     accepts=(*IMAGE_TYPES, "gamma", "water_level", "smooth", "hierarchy"),
 )
 def height_field(reader: ItemReader, context: Context) -> Shape:
-    field = HeightField(heights_of(read_image(reader, context, raw=True)))
+    field = HeightField(heights_of(read_image(reader, context, "heights")))
     table = {"water_level": lambda r: {"water_level": _water_level(r, context)}, "smooth": switch("smooth")}
     while (fields := read_fields(reader, table)) is not None:
         field = replace(field, **fields)

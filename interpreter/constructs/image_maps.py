@@ -13,8 +13,8 @@ from minipov.interpreter.context import Context
 from minipov.interpreter.items import Block, FunctionImage, Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
-from minipov.tracer.image import Image, ImageMapping
-from minipov.tracer.pattern import ImageMap, ImagePattern
+from minipov.tracer.image import Image, ImageMapping, ImagePurpose
+from minipov.tracer.pattern import BumpMap, ImageMap, ImagePattern
 from minipov.tracer.settings import Gamma
 from minipov.tracer.texture import MaterialMap, Texture
 
@@ -42,11 +42,8 @@ MAPPING_FIELDS: Final[dict[str, Field]] = {
 ACCEPTS: Final = (*IMAGE_TYPES, "gamma", "premultiplied", *MAPPING_FIELDS)
 
 
-def read_image(reader: ItemReader, context: Context, *, raw: bool) -> Image:
-    """``[type] "file" [gamma G] [premultiplied B]``, or a function to be sampled.
-
-    ``raw`` says that the stored numbers, not colours, are wanted.
-    """
+def read_image(reader: ItemReader, context: Context, purpose: ImagePurpose) -> Image:
+    """``[type] "file" [gamma G] [premultiplied B]``, or a function to be sampled."""
     source = reader.node(FunctionImage)
     if source is not None:
         return sampled(source)
@@ -56,12 +53,11 @@ def read_image(reader: ItemReader, context: Context, *, raw: bool) -> Image:
     while True:
         if reader.word("gamma"):
             gamma = read_gamma(reader)
-            raw = False
         elif reader.word("premultiplied"):
             reader.boolean()
         else:
             break
-    return image(reader, context, path, kind, gamma=gamma, raw=raw)
+    return image(reader, context, path, kind, gamma=gamma, purpose=purpose)
 
 
 def read_gamma(reader: ItemReader) -> Gamma:
@@ -70,9 +66,9 @@ def read_gamma(reader: ItemReader) -> Gamma:
     return reader.float() if word is None else "srgb"
 
 
-def read_mapping(reader: ItemReader, context: Context, *, raw: bool) -> ImageMapping:
+def read_mapping(reader: ItemReader, context: Context, purpose: ImagePurpose) -> ImageMapping:
     """A picture and how it lies in space, up to the first other item."""
-    picture = read_image(reader, context, raw=raw)
+    picture = read_image(reader, context, purpose)
     said: dict[str, Any] = {}
     while (fields := read_fields(reader, MAPPING_FIELDS)) is not None:
         said.update(fields)
@@ -96,7 +92,7 @@ def image_map(reader: ItemReader, context: Context, sink: Sink) -> ImageMap:
     named = reader.node(ImageMap)
     if named is not None:
         return named
-    mapping = read_mapping(reader, context, raw=False)
+    mapping = read_mapping(reader, context, "color")
     filters: list[tuple[int | None, float]] = []
     transmits: list[tuple[int | None, float]] = []
     while not reader.at_end:
@@ -119,7 +115,7 @@ def image_map(reader: ItemReader, context: Context, sink: Sink) -> ImageMap:
     accepts=ACCEPTS,
 )
 def image_pattern(reader: ItemReader, context: Context, sink: Sink) -> ImagePattern:
-    mapping = read_mapping(reader, context, raw=True)
+    mapping = read_mapping(reader, context, "pattern")
     if not reader.at_end:
         unexpected(reader, ACCEPTS)
     return ImagePattern(mapping)
@@ -132,7 +128,7 @@ def image_pattern(reader: ItemReader, context: Context, sink: Sink) -> ImagePatt
     accepts=(*ACCEPTS, "bump_size"),
 )
 def bump_map(reader: ItemReader, context: Context, sink: Sink) -> Block:
-    mapping = read_mapping(reader, context, raw=True)
+    mapping = read_mapping(reader, context, "pattern")
     amount: float | None = None
     while not reader.at_end:
         fields = read_fields(reader, {**MAPPING_FIELDS, "bump_size": number("bump_size")})
@@ -140,7 +136,7 @@ def bump_map(reader: ItemReader, context: Context, sink: Sink) -> Block:
             unexpected(reader, (*ACCEPTS, "bump_size"))
         amount = fields.pop("bump_size", amount)
         mapping = replace(mapping, **fields)
-    return Block("bump_map", (ImagePattern(mapping), amount))
+    return Block("bump_map", (BumpMap(mapping), amount))
 
 
 @construct(
@@ -150,7 +146,7 @@ def bump_map(reader: ItemReader, context: Context, sink: Sink) -> Block:
     accepts=(*ACCEPTS, "texture"),
 )
 def material_map(reader: ItemReader, context: Context, sink: Sink) -> MaterialMap:
-    mapping = read_mapping(reader, context, raw=True)
+    mapping = read_mapping(reader, context, "pattern")
     textures: list[Texture] = []
     while not reader.at_end:
         texture = reader.node(TEXTURE_TYPES)

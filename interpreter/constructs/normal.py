@@ -73,8 +73,8 @@ def _read_kind(reader: ItemReader, context: Context, base: Normal) -> Normal:
     """The pattern that must come first, and the depth of its bumps."""
     bump_map = reader.block("bump_map")
     if bump_map is not None:
-        normal = replace(base, pattern=bump_map[0], blend=None)
-        return normal if bump_map[1] is None else replace(normal, amount=bump_map[1])
+        amount = base.amount if bump_map[1] is None else bump_map[1]
+        return replace(base, pattern=bump_map[0], blend=None, amount=_amount(reader, amount))
     by_object = object_pattern(reader, context)
     if by_object is not None:
         return replace(base, pattern=by_object[0], blend=_block_list(by_object[1], context, by_object[0]))
@@ -82,9 +82,14 @@ def _read_kind(reader: ItemReader, context: Context, base: Normal) -> Normal:
     if pattern is None:
         return base
     blocks = _block_list(reader, context, pattern)
-    amount = reader.float() if reader.is_number() else base.amount
+    amount = _amount(reader, base.amount)
     keep = base.blend if isinstance(base.blend, SlopeMap | NormalMap) else None
     return replace(base, pattern=pattern, amount=amount, blend=blocks or keep)
+
+
+def _amount(reader: ItemReader, default: float) -> float:
+    """The depth of bumps that may follow a pattern."""
+    return reader.float() if reader.is_number() else default
 
 
 def _modified(reader: ItemReader, context: Context, normal: Normal) -> Normal | None:

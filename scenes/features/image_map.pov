@@ -2,7 +2,7 @@
 // class: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }
-#declare Shown = texture { pigment { image_map { png "images/flag.png" } scale 0.8 translate <0.2, 0.1, 0> } }
+#declare Shown = texture { pigment { image_map { png "images/flag.png" } scale 0.81 translate <0.2, 0.1, 0> } }
 
 camera { location <1.3, 1.9, -5.2> look_at <0.15, 0, 0> angle 42 }
 light_source { <-4, 7, -8>, rgb 1 }

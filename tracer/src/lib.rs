@@ -10,6 +10,7 @@ pub mod csg;
 pub mod function;
 pub mod geometry;
 pub mod graph;
+pub mod image;
 pub mod light;
 pub mod math;
 pub mod mesh;

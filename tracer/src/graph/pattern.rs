@@ -138,6 +138,12 @@ pub struct ImagePattern {
 
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "python", derive(pyo3::FromPyObject))]
+pub struct BumpMap {
+    pub mapping: ImageMapping,
+}
+
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "python", derive(pyo3::FromPyObject))]
 pub struct Fractal {
     pub max_iteration: u32,
     pub coordinate: Option<Vec2>,
@@ -214,6 +220,7 @@ pub enum Pattern {
     Simple(SimplePattern),
     Agate(Agate),
     Brick(Brick),
+    BumpMap(BumpMap),
     Crackle(Crackle),
     DensityFile(Shared<DensityFile>),
     Facets(Facets),
@@ -236,6 +243,7 @@ from_class_name!(Pattern {
     SimplePattern => Simple,
     Agate => Agate,
     Brick => Brick,
+    BumpMap => BumpMap,
     Crackle => Crackle,
     DensityFile => DensityFile,
     Facets => Facets,

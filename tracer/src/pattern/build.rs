@@ -1,10 +1,13 @@
 //! From the scene graph's patterns to those that are evaluated.
 
 use super::{
-    Brick, Crackle, Facets, Modifiers, Pattern, PatternKind, Slope, TurbulenceModifier, Wave, Waveform,
+    Brick, Crackle, Facets, ImagePattern, Modifiers, Pattern, PatternKind, Slope, TurbulenceModifier, Wave,
+    Waveform,
 };
 use crate::graph::pattern as graph;
 use crate::graph::pattern::{SimpleKind, WaveKind};
+use crate::graph::texture::MaterialMap;
+use crate::image::ImageMapping;
 use crate::noise::NoiseGenerator;
 use crate::texture::Builder;
 use crate::warp::Warp;
@@ -12,6 +15,10 @@ use crate::warp::Warp;
 /// As precise as POV-Ray keeps the parameters of some patterns.
 fn single(v: f64) -> f64 {
     f64::from(v as f32)
+}
+
+fn image_pattern(node: &crate::graph::image::ImageMapping) -> Box<ImagePattern> {
+    Box::new(ImagePattern { mapping: ImageMapping::from(node), used: node.used })
 }
 
 impl Builder {
@@ -40,6 +47,13 @@ impl Builder {
             noise_generator: node.noise_generator.map_or(self.noise_generator, NoiseGenerator::from_number),
             uv_mapping: node.uv_mapping,
         }
+    }
+
+    /// The numbers of a `material_map` as a block pattern.
+    pub fn material_pattern(&self, node: &MaterialMap) -> Pattern {
+        let kind = PatternKind::Material(Box::new(ImageMapping::from(&node.mapping)));
+        let modifiers = self.modifiers(&node.modifiers, kind.own_wave());
+        Pattern { kind, modifiers }
     }
 
     fn pattern_kind(&mut self, node: &graph::Pattern) -> Option<PatternKind> {
@@ -79,7 +93,8 @@ impl Builder {
                 metric: single(facets.metric),
             }),
             graph::Pattern::ImageMap(_) => return self.no_pattern("image_map"),
-            graph::Pattern::ImagePattern(_) => return self.no_pattern("image_pattern"),
+            graph::Pattern::ImagePattern(pattern) => PatternKind::Image(image_pattern(&pattern.mapping)),
+            graph::Pattern::BumpMap(bumps) => PatternKind::BumpMap(image_pattern(&bumps.mapping)),
             graph::Pattern::Fractal(_) => return self.no_pattern("fractal pattern"),
             graph::Pattern::Object(_) => return self.no_pattern("object pattern"),
             graph::Pattern::Pavement(_) => return self.no_pattern("pavement"),

@@ -1,8 +1,10 @@
 //! The patterns by kind, and what each says about itself.
 
+use super::image_pattern::material_number;
 use super::{blocks, cells, noisy, shells, spirals, surface};
-use super::{Brick, Crackle, Facets, Modifiers, Slope, SurfaceContext, Wave, WaveSources};
+use super::{Brick, Crackle, Facets, ImagePattern, Modifiers, Slope, SurfaceContext, Wave, WaveSources};
 use crate::function::Function;
+use crate::image::ImageMapping;
 use crate::math::Vec3;
 
 /// A pattern's keyword and its own parameters.
@@ -18,6 +20,8 @@ pub enum PatternKind {
     Boxed,
     Bozo,
     Brick(Brick),
+    /// For normals only.
+    BumpMap(Box<ImagePattern>),
     Bumps,
     Cells,
     Checker,
@@ -32,8 +36,11 @@ pub enum PatternKind {
     Gradient(Vec3),
     Granite,
     Hexagon,
+    Image(Box<ImagePattern>),
     Leopard,
     Marble,
+    /// `material_map`.
+    Material(Box<ImageMapping>),
     Onion,
     Planar,
     Quilted {
@@ -66,7 +73,7 @@ impl PatternKind {
         match self {
             PatternKind::Agate { agate_turb } => noisy::agate(p, *agate_turb, modifiers),
             PatternKind::Aoi => surface::angle_of_incidence(surface),
-            PatternKind::Average | PatternKind::Facets(_) => 0.0,
+            PatternKind::Average | PatternKind::BumpMap(_) | PatternKind::Facets(_) => 0.0,
             PatternKind::Boxed => shells::fading(shells::chebyshev(p)),
             PatternKind::Bozo | PatternKind::Bumps | PatternKind::Spotted => generator.noise(p),
             PatternKind::Brick(brick) => brick.value(p),
@@ -80,8 +87,10 @@ impl PatternKind {
             PatternKind::Gradient(direction) => shells::wrapped(p.dot(*direction)),
             PatternKind::Granite => noisy::granite(p, generator),
             PatternKind::Hexagon => blocks::hexagon(p),
+            PatternKind::Image(image) => image.value(p),
             PatternKind::Leopard => shells::leopard(p),
             PatternKind::Marble => shells::marble(p, modifiers),
+            PatternKind::Material(mapping) => material_number(mapping, p),
             PatternKind::Onion => p.length() % 1.0,
             PatternKind::Planar => shells::fading(p.y.abs()),
             PatternKind::Quilted { control0, control1 } => shells::quilted(p, *control0, *control1),
@@ -117,6 +126,7 @@ impl PatternKind {
                 | PatternKind::Checker
                 | PatternKind::Cubic
                 | PatternKind::Hexagon
+                | PatternKind::Material(_)
                 | PatternKind::Square
                 | PatternKind::Triangular
         )

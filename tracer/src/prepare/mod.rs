@@ -29,7 +29,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
     let mut patterns = Builder::new(i64::from(global.noise_generator), global.number_of_waves as usize);
     let (geometry, mut unsupported) = geometry::prepare(&objects, kind, &mut patterns);
     let quality = Quality::new(settings.quality);
-    let (textures, dresses) = textures::prepare(scene, &geometry, &quality, &mut patterns, &mut unsupported);
+    let (textures, dresses) = textures::prepare(scene, &geometry, &quality, &mut patterns);
     let (lights, light_sets) = lights::prepare(scene, &geometry, kind, &mut patterns, &mut unsupported);
     let (camera, missing) = Camera::new(&scene.camera, &mut patterns);
     unsupported.extend(missing.map(|what| Unsupported { feature: what.into(), source: String::new() }));

@@ -8,7 +8,7 @@ use crate::color::Rgb;
 use crate::geometry::Geometry;
 use crate::graph::scene::Scene;
 use crate::graph::texture as graph;
-use crate::graph::{Shared, Unsupported};
+use crate::graph::Shared;
 use crate::pattern::PatternKind;
 use crate::shade::{Finish, Layer, Texture, TextureId};
 use crate::texture::{self, BlendMap, Pigment};
@@ -19,19 +19,12 @@ pub fn prepare(
     geometry: &Geometry,
     quality: &Quality,
     patterns: &mut texture::Builder,
-    unsupported: &mut Vec<Unsupported>,
 ) -> (Vec<Texture>, Vec<Dress>) {
     // Gathered light takes the place of ambient light, but not in old scenes (probed).
     let gathers = scene.settings.radiosity.is_some() && quality.volumes && scene.version >= 3.7;
     let ambient_light = if gathers { Rgb::BLACK } else { scene.settings.ambient_light };
-    let mut builder = Builder {
-        ambient_light,
-        quality,
-        patterns,
-        unsupported,
-        textures: Vec::new(),
-        known: HashMap::new(),
-    };
+    let mut builder =
+        Builder { ambient_light, quality, patterns, textures: Vec::new(), known: HashMap::new() };
     let mut dresses: Vec<Dress> = Vec::new();
     for worn in &geometry.textures {
         let texture = builder.add(&worn.item);
@@ -51,7 +44,6 @@ struct Builder<'a> {
     ambient_light: Rgb,
     quality: &'a Quality,
     patterns: &'a mut texture::Builder,
-    unsupported: &'a mut Vec<Unsupported>,
     textures: Vec<Texture>,
     known: HashMap<usize, TextureId>,
 }
@@ -73,16 +65,14 @@ impl Builder<'_> {
                 Texture::Layers(layered.layers.iter().rev().map(|layer| self.layer(layer)).collect())
             }
             graph::Texture::Pattern(patterned) => self.patterned(patterned),
-            graph::Texture::MaterialMap(_) => self.missing("material_map"),
+            graph::Texture::MaterialMap(map) => {
+                let textures = map.textures.iter().map(|t| self.add(t)).collect();
+                Texture::Blocks(Box::new((self.patterns.material_pattern(map), textures)))
+            }
         };
         let id = self.push(made);
         self.known.insert(texture.address(), id);
         id
-    }
-
-    fn missing(&mut self, feature: &str) -> Texture {
-        self.unsupported.push(Unsupported { feature: feature.into(), source: String::new() });
-        Texture::Layers(Box::new([]))
     }
 
     /// Textures that a pattern chooses from or mixes.

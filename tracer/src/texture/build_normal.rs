@@ -73,6 +73,7 @@ fn bump_kind(pattern: &Pattern) -> Option<BumpKind> {
         PatternKind::Ripples(sources) => BumpKind::Ripples(sources.clone(), modifiers.waveform),
         PatternKind::Waves(sources) => BumpKind::Waves(sources.clone(), modifiers.waveform),
         &PatternKind::Quilted { control0, control1 } => BumpKind::Quilted { control0, control1 },
+        PatternKind::BumpMap(image) => BumpKind::BumpMap(image.clone()),
         PatternKind::Facets(facets) => BumpKind::Facets(*facets),
         _ => return None,
     })

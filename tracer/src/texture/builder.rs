@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use super::color_map::BlendMap;
 use super::normal::NormalScale;
-use super::{ColorMap, Normal, Pigment};
+use super::{ColorMap, ImageMap, Normal, Pigment};
 use crate::function::Function;
+use crate::graph::pattern::Pattern;
 use crate::graph::pigment as graph;
 use crate::graph::{Shared, Unsupported};
 use crate::noise::NoiseGenerator;
@@ -68,6 +69,10 @@ impl Builder {
             let functions = defined.functions.iter().map(|f| self.function(f.as_ref()?)).collect();
             let modifiers = self.modifiers(&node.modifiers, Wave::Ramp);
             return Pigment::UserDefined(Arc::new((modifiers, functions)));
+        }
+        if let Some(Pattern::ImageMap(map)) = &node.pattern {
+            let modifiers = self.modifiers(&node.modifiers, Wave::Ramp);
+            return Pigment::Image(Arc::new((modifiers, ImageMap::new(map))));
         }
         let Some(kind) = &node.pattern else { return Pigment::Solid(node.color) };
         let Some(pattern) = self.pattern(kind, &node.modifiers) else { return Pigment::Solid(node.color) };

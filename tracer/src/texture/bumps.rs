@@ -2,7 +2,7 @@
 
 use crate::math::Vec3;
 use crate::noise::{vector_noise, NoiseGenerator};
-use crate::pattern::{quilted_bump, Facets, WaveSources, Waveform};
+use crate::pattern::{quilted_bump, Facets, ImagePattern, WaveSources, Waveform};
 
 /// A pattern that turns normals by itself, with its amount.
 #[derive(Clone, Debug)]
@@ -24,6 +24,7 @@ pub enum BumpKind {
     Waves(WaveSources, Waveform),
     Quilted { control0: f64, control1: f64 },
     Facets(Facets),
+    BumpMap(Box<ImagePattern>),
 }
 
 impl Bumps {
@@ -36,6 +37,7 @@ impl Bumps {
             BumpKind::Ripples(sources, waveform) => sources.ripple_bump(p, waveform),
             BumpKind::Waves(sources, waveform) => sources.wave_bump(p, waveform),
             BumpKind::Quilted { control0, control1 } => quilted_bump(p, *control0, *control1),
+            BumpKind::BumpMap(image) => return image.mapping.bump(p, n, image.used, self.amount),
             BumpKind::Facets(facets) => return facets.perturb(p, n),
         };
         n + turn * self.amount

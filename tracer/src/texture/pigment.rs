@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::color_map::{BlendMap, ColorMap};
-use super::default_map;
+use super::{default_map, ImageMap};
 use crate::color::Rgbft;
 use crate::function::Function;
 use crate::math::Vec3;
@@ -18,6 +18,8 @@ pub enum Pigment {
     Colors(Arc<(Pattern, ColorMap)>),
     /// The pattern's value mixes two pigments.
     Pigments(Arc<(Pattern, BlendMap<Pigment>)>),
+    /// A picture.
+    Image(Arc<(Modifiers, ImageMap)>),
     /// The pattern's number picks a pigment.
     Blocks(Arc<(Pattern, Vec<Pigment>)>),
     /// `average`: the weighted mean of pigments.
@@ -44,6 +46,7 @@ impl Pigment {
             Pigment::Solid(color) => opaque(color),
             Pigment::Colors(node) => node.1.entries().iter().all(|e| opaque(&e.1)),
             Pigment::Pigments(node) => node.1.entries().iter().all(|e| e.1.is_opaque()),
+            Pigment::Image(node) => node.1.is_opaque(),
             Pigment::Blocks(node) => node.1.iter().all(Pigment::is_opaque),
             Pigment::Average(node) => node.1.iter().all(|e| e.1.is_opaque()),
             Pigment::UserDefined(node) => {
@@ -80,6 +83,7 @@ impl Pigment {
                 }
                 Rgbft::lerp(&a.color(inner, surface), &b.color(inner, surface), t)
             }
+            Pigment::Image(node) => node.1.color(node.0.locate(p, surface, false)),
             Pigment::Blocks(node) => {
                 let (pattern, pigments) = &**node;
                 let (value, inner) = pattern.block_and_place(p, surface);

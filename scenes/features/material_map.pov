@@ -4,7 +4,7 @@
 global_settings { assumed_gamma 1 }
 #declare Shown = texture {
   material_map {
-    png "../images/tiles.png"
+    png "images/tiles.png"
     texture { pigment { rgb <0.9, 0.85, 0.7> } }
     texture { pigment { rgb <0.8, 0.3, 0.2> } finish { phong 1 } }
     texture { pigment { granite scale 0.2 } }
