@@ -16,6 +16,7 @@ pub mod math;
 pub mod mesh;
 pub mod noise;
 pub mod pattern;
+pub mod photon;
 pub mod prepare;
 pub mod radiosity;
 pub mod render;

@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use crate::color::Rgb;
 use crate::geometry::Geometry;
+use crate::graph::light::LightPhotons;
 use crate::math::Vec3;
 
 /// A light made ready for sampling.
@@ -31,6 +32,8 @@ pub struct Light {
     pub fade: Fade,
     /// An object that light must pass; what lies between it and the light throws no shadow.
     pub projected_through: Option<Arc<Geometry>>,
+    /// What becomes of its photons.
+    pub photons: Option<LightPhotons>,
     /// Whether media see the light.
     pub media_interaction: bool,
     /// Whether media dim the light.
@@ -60,6 +63,19 @@ pub struct Arrival {
 }
 
 impl Light {
+    /// Where its photons start on their way to a target: all points of its area if it says so.
+    pub fn photon_points(&self, target: Vec3) -> Vec<Vec3> {
+        match &self.area {
+            Some(area) if self.photons.as_ref().is_some_and(|p| p.area_light) => {
+                let axes = area.axes_towards((self.location - target).normalized());
+                let [width, height] = area.size;
+                let cells = (0..width).flat_map(|u| (0..height).map(move |v| (u, v)));
+                cells.map(|cell| self.location + area.displacement(&axes, cell, [0.0, 0.0])).collect()
+            }
+            _ => vec![self.location],
+        }
+    }
+
     /// What arrives at `point`.
     #[inline]
     pub fn arrival(&self, point: Vec3) -> Arrival {

@@ -96,6 +96,7 @@ fn light(source: &LightSource, space: Option<&Transform>) -> Light {
         }),
         fade,
         projected_through: None,
+        photons: source.photons.clone(),
         media_interaction: source.media_interaction,
         media_attenuation: source.media_attenuation,
     }

@@ -15,6 +15,7 @@ use crate::geometry;
 use crate::graph::settings::{Accelerator, RenderSettings};
 use crate::graph::{self, Unsupported};
 use crate::noise::NoiseGenerator;
+use crate::photon;
 use crate::radiosity::Settings;
 use crate::texture::Builder;
 
@@ -48,6 +49,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
         sky,
         atmosphere,
         quality,
+        photons: photons(scene, &quality),
         radiosity: radiosity(scene, &quality),
         uses_uv: true,
         max_trace_level: global.max_trace_level,
@@ -57,6 +59,12 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
     };
     prepared.place_camera();
     (prepared, unsupported)
+}
+
+/// How photons are shot, if they are.
+fn photons(scene: &graph::scene::Scene, quality: &Quality) -> Option<photon::Settings> {
+    let photons = scene.settings.photons.as_ref().filter(|_| quality.reflection);
+    photons.map(|photons| photon::Settings::new(photons, &scene.settings))
 }
 
 /// How light between surfaces is gathered, if it is.

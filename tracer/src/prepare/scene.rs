@@ -9,6 +9,7 @@ use crate::graph::Interior;
 use crate::light::Light;
 use crate::math::Vec3;
 use crate::noise::NoiseGenerator;
+use crate::photon;
 use crate::radiosity;
 use crate::shade::{BodyId, Interiors, Spot, Texture, TextureId};
 
@@ -37,6 +38,8 @@ pub struct Scene {
     pub quality: Quality,
     /// Whether any texture asks for surface coordinates.
     pub uses_uv: bool,
+    /// How photons are shot, if they are.
+    pub photons: Option<photon::Settings>,
     /// How light between surfaces is gathered, if it is.
     pub radiosity: Option<radiosity::Settings>,
     /// Longest chain of rays.

@@ -10,6 +10,7 @@ use super::view::{Size, View};
 use super::Picture;
 use crate::accel::Counters;
 use crate::graph::settings::RenderSettings;
+use crate::photon::PhotonMap;
 use crate::prepare::Scene;
 use crate::radiosity::{Cache, Indirect, Settings};
 use crate::shade::Tracer;
@@ -73,9 +74,11 @@ impl Job {
     }
 
     fn render_passes(&self) {
+        let photons = self.scene.photons.as_ref().map(|settings| self.shoot_photons(settings));
+        let photons = photons.as_ref().filter(|map| !map.is_empty());
         let settings = self.scene.radiosity.as_ref();
-        let gathered = settings.map(|settings| (settings, self.gather_light(settings)));
-        self.render_tiles(gathered.as_ref().map(|(settings, cache)| (*settings, cache)));
+        let gathered = settings.map(|settings| (settings, self.gather_light(settings, photons)));
+        self.render_tiles(photons, gathered.as_ref().map(|(settings, cache)| (*settings, cache)));
     }
 
     /// A tracer for one thread.
@@ -89,7 +92,7 @@ impl Job {
         self.counters.lock().expect("merging does not panic").merge(&counted);
     }
 
-    fn render_tiles(&self, gathered: Option<(&Settings, &Cache)>) {
+    fn render_tiles(&self, photons: Option<&PhotonMap>, gathered: Option<(&Settings, &Cache)>) {
         let size = Size { width: self.settings.width, height: self.settings.height };
         self.tiles.par_iter().with_max_len(1).for_each_init(
             || self.tracer(),
@@ -97,6 +100,7 @@ impl Job {
                 if self.is_cancelled() {
                     return;
                 }
+                tracer.photons = photons;
                 tracer.indirect = gathered.map(|(settings, cache)| {
                     Indirect::new(cache, settings.error_bound, !settings.always_sample)
                 });

@@ -2,6 +2,7 @@
 
 mod antialias;
 mod job;
+mod photons;
 mod picture;
 mod pretrace;
 mod random;

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use super::view::{Size, View};
 use super::Job;
+use crate::photon::PhotonMap;
 use crate::radiosity::{Cache, Gathered, Indirect, Settings};
 
 /// Places of a pass that one thread takes at a time, along each axis.
@@ -13,14 +14,14 @@ const SIDE: usize = 8;
 
 impl Job {
     /// Fills the cache in ever finer passes; each sees what the passes before it gathered.
-    pub(super) fn gather_light(&self, settings: &Settings) -> Cache {
+    pub(super) fn gather_light(&self, settings: &Settings, photons: Option<&PhotonMap>) -> Cache {
         let size = Size { width: self.settings.width, height: self.settings.height };
         let width = size.width as f64;
         let [start, end] = settings.pretrace.map(|share| (share * width).max(1.0));
         let mut cache = Cache::default();
         let mut step = start;
         loop {
-            for gathered in self.pass(settings, &cache, size, step) {
+            for gathered in self.pass(settings, photons, &cache, size, step) {
                 cache.insert(gathered, gathered.radius * settings.error_bound);
             }
             if step <= end || self.is_cancelled() {
@@ -31,7 +32,14 @@ impl Job {
     }
 
     /// Light gathered at every `step`th pixel, in an order that does not depend on threads.
-    fn pass(&self, settings: &Settings, cache: &Cache, size: Size, step: f64) -> Vec<Gathered> {
+    fn pass(
+        &self,
+        settings: &Settings,
+        photons: Option<&PhotonMap>,
+        cache: &Cache,
+        size: Size,
+        step: f64,
+    ) -> Vec<Gathered> {
         let count = |length: usize| (length as f64 / step).ceil() as usize;
         let (columns, rows) = (count(size.width), count(size.height));
         let blocks = columns.div_ceil(SIDE) * rows.div_ceil(SIDE);
@@ -41,6 +49,7 @@ impl Job {
             let (left, top) = (block % across * SIDE, block / across * SIDE);
             let bound = settings.error_bound * settings.low_error_factor;
             let mut tracer = self.tracer();
+            tracer.photons = photons;
             tracer.indirect = Some(Indirect::new(cache, bound, false));
             for y in top..(top + SIDE).min(rows) {
                 for x in left..(left + SIDE).min(columns) {

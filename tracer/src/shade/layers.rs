@@ -105,6 +105,9 @@ impl Tracer<'_> {
             if finish.lit {
                 own += self.lamp_light(spot, finish, normal, color.rgb, opacity);
             }
+            if self.photons.is_some() {
+                own += self.photon_light(spot, finish, normal, color.rgb, opacity);
+            }
             if finish.diffuse[0] != 0.0 && self.indirect.is_some() {
                 let share = finish.diffuse[0] * opacity;
                 let light = self.indirect_light(spot, normal, weight * through * share);
@@ -162,7 +165,7 @@ impl Tracer<'_> {
 impl Layer {
     /// The world's normal after this layer's bumps.
     #[inline]
-    fn perturbed(&self, spot: &Spot, frame: &Frame) -> Vec3 {
+    pub(super) fn perturbed(&self, spot: &Spot, frame: &Frame) -> Vec3 {
         match &self.normal {
             None => spot.normal,
             Some(bumps) => {
@@ -174,7 +177,7 @@ impl Layer {
 
     /// The colour of the pigment, which may look at the normal.
     #[inline]
-    fn color(&self, spot: &Spot, frame: &Frame, normal: Vec3) -> Rgbft {
+    pub(super) fn color(&self, spot: &Spot, frame: &Frame, normal: Vec3) -> Rgbft {
         match &self.pigment {
             Pigment::Solid(color) => *color,
             pigment => pigment.color(frame.point, &SurfaceContext { normal, ..spot.context }),
@@ -183,6 +186,6 @@ impl Layer {
 }
 
 /// The share of light that passes a pigment.
-fn passing(color: &Rgbft) -> Rgb {
+pub(super) fn passing(color: &Rgbft) -> Rgb {
     color.rgb * color.filter + Rgb::WHITE * color.transmit
 }

@@ -8,6 +8,8 @@ mod highlight;
 mod indirect;
 mod interiors;
 mod layers;
+mod photon_flight;
+mod photon_light;
 mod reflect;
 mod refract;
 mod shadow;
@@ -27,6 +29,7 @@ use crate::accel::{Counters, RayKind};
 use crate::color::Rgb;
 use crate::geometry::NodeId;
 use crate::math::Ray;
+use crate::photon::PhotonMap;
 use crate::prepare::Scene;
 use crate::radiosity::Indirect;
 use crate::render::Random;
@@ -90,6 +93,8 @@ pub struct Tracer<'s> {
     mirrors: Vec<Mirrored>,
     /// Scratch for textures seen together at one point.
     weights: Vec<(Option<u32>, f64)>,
+    /// Light thrown by mirrors and lenses, where the scene asks for it.
+    pub photons: Option<&'s PhotonMap>,
     /// Light between surfaces, where the scene asks for it.
     pub indirect: Option<Indirect<'s>>,
     /// Set by someone who no longer wants the picture: rays then see nothing, at once.
@@ -109,6 +114,7 @@ impl<'s> Tracer<'s> {
             grid: Vec::new(),
             mirrors: Vec::new(),
             weights: Vec::new(),
+            photons: None,
             indirect: None,
             cancelled,
         }

@@ -77,7 +77,7 @@ impl Tracer<'_> {
 }
 
 /// The direction mirrored at a perturbed normal, kept on the ray's side of the true surface.
-fn mirror_direction(direction: Vec3, normal: Vec3, true_normal: Vec3) -> Vec3 {
+pub(super) fn mirror_direction(direction: Vec3, normal: Vec3, true_normal: Vec3) -> Vec3 {
     let mirror = |d: Vec3, n: Vec3| d - n * (2.0 * d.dot(n));
     let mirrored = mirror(direction, normal);
     let kept = if mirrored.dot(true_normal) >= 0.0 {

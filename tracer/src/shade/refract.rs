@@ -11,7 +11,7 @@ const UNBENT: f64 = 1e-10;
 
 impl Tracer<'_> {
     /// Density of what lies behind the surface over that of what the ray is in.
-    fn relative_ior(&self, spot: &Spot) -> f64 {
+    pub(super) fn relative_ior(&self, spot: &Spot) -> f64 {
         self.scene.ior_of(beyond(spot).innermost()) / self.scene.ior_of(spot.path.interiors.innermost())
     }
 
@@ -24,6 +24,13 @@ impl Tracer<'_> {
         } else {
             self.relative_ior(spot)
         }
+    }
+
+    /// The ratio of violet's density to red's behind the surface over that before it, where it parts colours.
+    pub(super) fn dispersion(&self, spot: &Spot) -> Option<f64> {
+        let (before, behind) = (spot.path.interiors.innermost(), beyond(spot).innermost());
+        let dispersion = self.scene.dispersion_of(before) / self.scene.dispersion_of(behind);
+        ((dispersion - 1.0).abs() >= UNBENT).then_some(dispersion)
     }
 
     /// Adds what is seen through the surface, times `filter`; says whether all was reflected instead.
@@ -42,25 +49,25 @@ impl Tracer<'_> {
         }
         let attenuation = scene.view_attenuation(spot);
         let ior = 1.0 / self.relative_ior(spot);
-        let (before, behind) = (spot.path.interiors.innermost(), beyond(spot).innermost());
-        let dispersion = scene.dispersion_of(before) / scene.dispersion_of(behind);
-        let parted = (dispersion - 1.0).abs() >= UNBENT;
-        let (behind, totally) = if !parted && (ior - 1.0).abs() < UNBENT {
-            (self.trace_on(&onward(spot, spot.path.ray.direction), weight), false)
-        } else if !parted {
-            self.seen_bent(spot, normal, ior, weight, top)
-        } else if let Some(band) = spot.path.band {
-            self.seen_bent(spot, normal, band.bends(ior, dispersion), weight, top)
-        } else {
-            let count = scene.dispersion_samples(spot.body);
-            let mut sum = Radiance::BLACK;
-            for band in Band::all(count) {
-                let path = Path { band: Some(band), ..*spot.path };
-                let spot = Spot { path: &path, ..*spot };
-                let (light, _) = self.seen_bent(&spot, normal, band.bends(ior, dispersion), weight, top);
-                sum.rgb += light.rgb.mul_each(band.hue()) * (1.0 / count as f64);
+        let (behind, totally) = match (self.dispersion(spot), spot.path.band) {
+            (None, _) if (ior - 1.0).abs() < UNBENT => {
+                (self.trace_on(&onward(spot, spot.path.ray.direction), weight), false)
             }
-            (sum, false)
+            (None, _) => self.seen_bent(spot, normal, ior, weight, top),
+            (Some(dispersion), Some(band)) => {
+                self.seen_bent(spot, normal, band.bends(ior, dispersion), weight, top)
+            }
+            (Some(dispersion), None) => {
+                let count = scene.dispersion_samples(spot.body);
+                let mut sum = Radiance::BLACK;
+                for band in Band::all(count) {
+                    let path = Path { band: Some(band), ..*spot.path };
+                    let spot = Spot { path: &path, ..*spot };
+                    let (light, _) = self.seen_bent(&spot, normal, band.bends(ior, dispersion), weight, top);
+                    sum.rgb += light.rgb.mul_each(band.hue()) * (1.0 / count as f64);
+                }
+                (sum, false)
+            }
         };
         let filter = if totally { Rgb::WHITE } else { filter };
         seen.rgb += behind.rgb.mul_each(filter).mul_each(attenuation);
@@ -95,13 +102,13 @@ fn beyond(spot: &Spot) -> Interiors {
 }
 
 /// The ray behind the surface.
-fn onward(spot: &Spot, direction: Vec3) -> Path {
+pub(super) fn onward(spot: &Spot, direction: Vec3) -> Path {
     let ray = Ray { origin: spot.point, direction };
     Path { ray, interiors: beyond(spot), ..*spot.path }
 }
 
 /// Snell's law; none where light is totally reflected. `ratio` is the density before over that behind.
-fn refracted(direction: Vec3, normal: Vec3, ratio: f64) -> Option<Vec3> {
+pub(super) fn refracted(direction: Vec3, normal: Vec3, ratio: f64) -> Option<Vec3> {
     let cos = direction.dot(normal);
     let (normal, cos) = if cos <= 0.0 { (normal, -cos) } else { (-normal, cos) };
     let inside = 1.0 + ratio * ratio * (cos * cos - 1.0);

@@ -79,11 +79,11 @@ impl Tracer<'_> {
         if clear {
             return arrival.color;
         }
-        self.filtered(spot, arrival)
+        self.filtered(number, spot, arrival)
     }
 
     /// Light filtered by the transparent objects on its way, from the point to the lamp.
-    fn filtered(&mut self, spot: &Spot, arrival: &Arrival) -> Rgb {
+    fn filtered(&mut self, number: u32, spot: &Spot, arrival: &Arrival) -> Rgb {
         let mut path = Path {
             ray: Ray { origin: spot.point, direction: arrival.direction },
             interiors: spot.path.interiors,
@@ -98,6 +98,9 @@ impl Tracer<'_> {
             let Some(hit) = nearest else {
                 break;
             };
+            if self.photons_pass(number, hit.node, spot) {
+                return Rgb::BLACK;
+            }
             color = color.mul_each(self.surface_filter(&path, &hit));
             path.ray.origin = path.ray.at(hit.crossing.t);
             left -= hit.crossing.t;

@@ -77,6 +77,24 @@ impl Texture {
             }
         }
     }
+
+    /// The textures that it shows, with their shares, and where they are asked.
+    pub(super) fn shares<'a>(
+        &'a self,
+        spot: &Spot,
+        frame: &'a Frame<'a>,
+    ) -> (Vec<(TextureId, f64)>, Frame<'a>) {
+        let (shown, frame) = self.shown(spot, frame);
+        let shares = match shown {
+            Shown::One(inner) => vec![(inner, 1.0)],
+            Shown::Two(two) => two.to_vec(),
+            Shown::All(all) => {
+                let total: f64 = all.iter().map(|e| e.0).sum();
+                all.iter().map(|&(share, inner)| (inner, share / total)).collect()
+            }
+        };
+        (shares, frame)
+    }
 }
 
 impl Tracer<'_> {
