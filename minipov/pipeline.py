@@ -15,7 +15,7 @@ from minipov.interpreter.context import Options as LoadOptions
 from minipov.options import CommandLine, UsageError
 from minipov.tracer.render import RenderJob, RenderResult
 from minipov.tracer.scene import Scene
-from minipov.tracer.settings import Antialiasing, Gamma, RenderSettings
+from minipov.tracer.settings import ACCELERATORS, Antialiasing, Gamma, RenderSettings
 
 if TYPE_CHECKING:
     import numpy as np
@@ -68,9 +68,9 @@ def render_settings(command: CommandLine) -> RenderSettings:
         jitter=command.number("Jitter_Amount") if command.flag("Jitter") else 0.0,
         gamma=command.number("Antialias_Gamma"),
     )
-    accelerator = command.text("Accelerator")
-    if accelerator not in ("linear", "octree"):
-        raise UsageError(f"unknown accelerator {accelerator}; linear and octree are possible")
+    accelerator = next((name for name in ACCELERATORS if name == command.text("Accelerator")), None)
+    if accelerator is None:
+        raise UsageError(f"unknown accelerator {command.text('Accelerator')}; there are {', '.join(ACCELERATORS)}")
     return RenderSettings(
         width=width,
         height=height,
@@ -80,7 +80,7 @@ def render_settings(command: CommandLine) -> RenderSettings:
         quality=min(max(command.integer("Quality"), 0), 11),
         threads=max(command.integer("Work_Threads"), 0),
         alpha=command.flag("Output_Alpha"),
-        accelerator="linear" if accelerator == "linear" else "octree",
+        accelerator=accelerator,
     )
 
 

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, get_args
 
 from minipov.tracer.values import WHITE, Rgb
 
 Gamma: TypeAlias = float | Literal["srgb"] | None
 """A working space: a power law, sRGB's curve, or None for scenes without any gamma handling (``#version`` < 3.7)."""
+
+
+Accelerator: TypeAlias = Literal["linear", "spheres", "hierarchy", "grid", "octree"]
+"""How rays find objects: one after the other, by their spheres, or in a tree of boxes, a grid or an octree."""
+
+ACCELERATORS: tuple[Accelerator, ...] = get_args(Accelerator)
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,4 +110,4 @@ class RenderSettings:
     quality: int = 9
     threads: int = 0
     alpha: bool = False
-    accelerator: Literal["linear", "octree"] = "octree"
+    accelerator: Accelerator = "octree"

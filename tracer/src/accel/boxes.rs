@@ -31,6 +31,19 @@ fn round_down(x: f64) -> f32 {
     }
 }
 
+/// Where a ray enters a box at parameters from 0 to `limit`, if it does.
+#[inline]
+pub fn entry(bounds: &Bounds, query: &Query, limit: f64) -> Option<f64> {
+    let (mut near, mut far) = (0.0f64, limit);
+    for axis in 0..3 {
+        let to = |plane: f64| (plane - query.ray.origin[axis]) * query.inverse[axis];
+        let (low, high) = (to(bounds.min[axis]), to(bounds.max[axis]));
+        near = near.max(low.min(high));
+        far = far.min(low.max(high) * WIDEN);
+    }
+    (near <= far).then_some(near)
+}
+
 impl Boxes {
     /// Boxes that no ray meets.
     pub const EMPTY: Boxes = Boxes { planes: [[[f32::INFINITY; 8], [f32::NEG_INFINITY; 8]]; 3] };

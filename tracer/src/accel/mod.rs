@@ -6,14 +6,22 @@
 mod boxes;
 mod build;
 mod counters;
+mod grid;
+mod hierarchy;
 mod linear;
 mod octree;
 mod query;
+mod spheres;
+#[cfg(test)]
+mod tests;
 
 pub use counters::{Counters, RayKind};
+pub use grid::Grid;
+pub use hierarchy::Hierarchy;
 pub use linear::Linear;
 pub use octree::Octree;
 pub use query::Query;
+pub use spheres::Spheres;
 
 use crate::math::{Bounds, Vec3};
 
@@ -22,20 +30,15 @@ use crate::math::{Bounds, Vec3};
 pub enum AcceleratorKind {
     /// Every item, one after the other.
     Linear,
+    /// Bounding spheres, one after the other.
+    Spheres,
+    /// The binary tree of bounding boxes.
+    Hierarchy,
+    /// The uniform grid.
+    Grid,
     /// The loose, cost-split octree.
     #[default]
     Octree,
-}
-
-impl std::str::FromStr for AcceleratorKind {
-    type Err = String;
-    fn from_str(name: &str) -> Result<Self, String> {
-        match name {
-            "linear" => Ok(AcceleratorKind::Linear),
-            "octree" => Ok(AcceleratorKind::Octree),
-            _ => Err(format!("{name:?} is no accelerator: linear, octree")),
-        }
-    }
 }
 
 /// Share of its coordinates by which a box is widened past the rounding of what is inside.
@@ -51,6 +54,12 @@ fn padded(b: &Bounds) -> Bounds {
 pub enum Accelerator {
     /// See [`Linear`].
     Linear(Linear),
+    /// See [`Spheres`].
+    Spheres(Spheres),
+    /// See [`Hierarchy`].
+    Hierarchy(Hierarchy),
+    /// See [`Grid`].
+    Grid(Grid),
     /// See [`Octree`].
     Octree(Octree),
 }
@@ -58,12 +67,13 @@ pub enum Accelerator {
 impl Accelerator {
     /// Builds the structure over finite boxes; item `i` is `boxes[i]`.
     pub fn build(kind: AcceleratorKind, boxes: &[Bounds]) -> Accelerator {
+        let boxes: Vec<Bounds> = boxes.iter().map(padded).collect();
         match kind {
             AcceleratorKind::Linear => Accelerator::Linear(Linear::new(boxes.len())),
-            AcceleratorKind::Octree => {
-                let boxes: Vec<Bounds> = boxes.iter().map(padded).collect();
-                Accelerator::Octree(Octree::build(&boxes, 1))
-            }
+            AcceleratorKind::Spheres => Accelerator::Spheres(Spheres::build(&boxes)),
+            AcceleratorKind::Hierarchy => Accelerator::Hierarchy(Hierarchy::build(&boxes)),
+            AcceleratorKind::Grid => Accelerator::Grid(Grid::build(&boxes)),
+            AcceleratorKind::Octree => Accelerator::Octree(Octree::build(&boxes, 1)),
         }
     }
 
@@ -79,6 +89,9 @@ impl Accelerator {
     ) -> f64 {
         match self {
             Accelerator::Linear(linear) => linear.along(limit, counters, visit),
+            Accelerator::Spheres(spheres) => spheres.along(query, limit, counters, visit),
+            Accelerator::Hierarchy(hierarchy) => hierarchy.along(query, limit, counters, visit),
+            Accelerator::Grid(grid) => grid.along(query, limit, counters, visit),
             Accelerator::Octree(octree) => octree.along(query, limit, counters, visit),
         }
     }
@@ -88,6 +101,9 @@ impl Accelerator {
     pub fn around(&self, point: Vec3, visit: impl FnMut(u32) -> bool) -> bool {
         match self {
             Accelerator::Linear(linear) => linear.around(visit),
+            Accelerator::Spheres(spheres) => spheres.around(point, visit),
+            Accelerator::Hierarchy(hierarchy) => hierarchy.around(point, visit),
+            Accelerator::Grid(grid) => grid.around(point, visit),
             Accelerator::Octree(octree) => octree.around(point, visit),
         }
     }

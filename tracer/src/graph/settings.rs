@@ -6,7 +6,7 @@ use crate::color::Rgb;
 
 keywords!(
     /// The procedure that finds the nearest hit.
-    Accelerator { Linear = "linear", Octree = "octree" }
+    Accelerator { Linear = "linear", Spheres = "spheres", Hierarchy = "hierarchy", Grid = "grid", Octree = "octree" }
 );
 
 /// `radiosity { ... }` of `global_settings`.

@@ -23,6 +23,9 @@ use crate::texture::Builder;
 pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene, Vec<Unsupported>) {
     let kind = match settings.accelerator {
         Accelerator::Linear => AcceleratorKind::Linear,
+        Accelerator::Spheres => AcceleratorKind::Spheres,
+        Accelerator::Hierarchy => AcceleratorKind::Hierarchy,
+        Accelerator::Grid => AcceleratorKind::Grid,
         Accelerator::Octree => AcceleratorKind::Octree,
     };
     let objects: Vec<_> = scene.objects.iter().cloned().chain(lights::visible(scene)).collect();
