@@ -8,8 +8,8 @@ use crate::math::{Transform, Vec3};
 use crate::mesh::Mesh;
 use crate::shape::{
     closed_curves, frame, segments, BicubicPatch, Blob, Cone, Cuboid, Disc, HeightField, Isosurface,
-    JuliaFractal, Lathe, Lemon, Ovus, Plane, Poly, Polygon, Prism, Quadric, Shape, Sor, Sphere, SphereSweep,
-    Superellipsoid, Text, Torus, Triangle,
+    JuliaFractal, Lathe, Lemon, Ovus, Parametric, Plane, Poly, Polygon, Prism, Quadric, Shape, Sor, Sphere,
+    SphereSweep, Superellipsoid, Text, Torus, Triangle,
 };
 use crate::texture::Builder;
 
@@ -132,6 +132,13 @@ impl<'a> Placer<'a> {
                 let length = (s.cap - s.base).length();
                 let lemon = Lemon::new(s.base_radius, s.cap_radius, length, s.inner_radius, s.open);
                 at(Shape::Lemon(Box::new(lemon)), frame(s.base, s.cap))
+            }
+            S::Parametric(s) => {
+                let mut compiled = |i: usize| self.patterns.function(&s.functions[i]);
+                let (Some(x), Some(y), Some(z)) = (compiled(0), compiled(1), compiled(2)) else {
+                    return Err("parametric of such functions".into());
+                };
+                placed(Shape::Parametric(Arc::new(Parametric::new(s, [x, y, z]))))
             }
             S::Isosurface(s) => {
                 let function = self.patterns.function(&s.function).ok_or("isosurface of such a function")?;

@@ -20,6 +20,7 @@ mod julia_fractal;
 mod lathe;
 mod lemon;
 mod ovus;
+mod parametric;
 mod plane;
 mod poly;
 mod polygon;
@@ -47,6 +48,7 @@ pub use julia_fractal::JuliaFractal;
 pub use lathe::Lathe;
 pub use lemon::Lemon;
 pub use ovus::Ovus;
+pub use parametric::Parametric;
 pub use plane::Plane;
 pub use poly::Poly;
 pub use polygon::{rings, Polygon};
@@ -237,6 +239,7 @@ primitives! {
     HeightField(Arc<HeightField>) = "height_field",
     Blob(Arc<Blob>) = "blob",
     Isosurface(Arc<Isosurface>) = "isosurface",
+    Parametric(Arc<Parametric>) = "parametric",
     Text(Arc<Text>) = "text",
     JuliaFractal(Box<JuliaFractal>) = "julia_fractal",
     Ovus(Box<Ovus>) = "ovus",
