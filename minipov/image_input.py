@@ -98,9 +98,13 @@ def _read_palette(path: Path) -> _Stored | None:
     try:
         with Pillow.open(path) as picture:
             kind = (picture.format or "").lower()
-            if picture.mode != "P" or kind not in _PALETTE_FORMATS:
+            # Pillow shows a GIF whose palette is a ramp of grey as grey.
+            grey = kind == "gif" and picture.mode == "L"
+            if not (grey or (picture.mode == "P" and kind in _PALETTE_FORMATS)):
                 return None
             index = np.asarray(picture, np.uint16)
+            if grey:
+                picture = picture.convert("P")
             names = picture.palette.mode if picture.palette else "RGB"
             palette = np.array(picture.getpalette(names) or [], np.float64).reshape(-1, len(names))[:, :3] / 255
             clear = picture.info.get("transparency")
