@@ -66,8 +66,7 @@ def load_image(
     color = convert(color, source, working)
     if alpha is not None and stored.kind in _ASSOCIATED_FORMATS:
         color = np.divide(color, alpha[..., None], out=np.zeros_like(color), where=alpha[..., None] != 0)
-    grey_bytes = count == 1 and stored.kind == "png" and stored.integer_bits == 8 and stored.index is None
-    if grey_bytes and purpose != "heights":
+    if count == 1 and stored.kind == "png" and stored.integer_bits == 8 and stored.index is None:
         color = _grey_bytes(color)
     return Image(
         color=np.ascontiguousarray(np.broadcast_to(color, (*color.shape[:2], 3)), np.float32),

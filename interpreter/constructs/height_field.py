@@ -19,35 +19,19 @@ from numpy.typing import NDArray
 
 STEPS: Final = 65536.0
 """Heights are whole numbers of two bytes, and this is 1."""
-GRAY_WEIGHTS: Final = (np.float32(0.297), np.float32(0.589), np.float32(0.114))
 
 
-def heights_of(picture: Image, *, png: bool = False) -> NDArray[np.float64]:
+def heights_of(picture: Image) -> NDArray[np.float64]:
     """Heights 0 to 1: the palette index, the grey value, or red and green as the two bytes of a number."""
     if picture.index is not None:
         return picture.index.astype(np.float64) * 256.0 / STEPS
     color = picture.color.astype(np.float64)
     if not picture.gray:
         high, low = np.rint(color[..., 0] * 255.0), np.rint(color[..., 1] * 255.0)
-        heights: NDArray[np.float64] = (high * 256.0 + low) / STEPS
-        return heights
-    gray = color[..., 0]
-    if png and picture.alpha is None and _is_of_bytes(gray):
-        return np.floor(_weighed(gray) * np.float32(255.0)).astype(np.float64) * 257.0 / STEPS
-    return np.floor(gray * (STEPS - 1.0) + 0.01) / STEPS
-
-
-def _is_of_bytes(gray: NDArray[np.float64]) -> bool:
-    """Whether a picture has 256 shades at most."""
-    shades = gray * 255.0
-    return bool(np.abs(shades - np.rint(shades)).max(initial=0.0) < 1e-3)
-
-
-def _weighed(gray: NDArray[np.float64]) -> NDArray[np.float32]:
-    """Shades as the sum of three colours in single precision: POV-Ray loses a shade here and there to rounding."""
-    shades = np.rint(gray * 255.0).astype(np.float32) / np.float32(255.0)
-    r, g, b = GRAY_WEIGHTS
-    return r * shades + g * shades + b * shades
+        steps: NDArray[np.float64] = high * 256.0 + low
+    else:
+        steps = np.floor(color[..., 0] * (STEPS - 1.0) + 0.01)
+    return steps / STEPS
 
 
 @shape(
@@ -57,8 +41,7 @@ def _weighed(gray: NDArray[np.float64]) -> NDArray[np.float32]:
     accepts=(*IMAGE_TYPES, "gamma", "water_level", "smooth", "hierarchy"),
 )
 def height_field(reader: ItemReader, context: Context) -> Shape:
-    png = reader.next_is("png")
-    field = HeightField(heights_of(read_image(reader, context, "heights"), png=png))
+    field = HeightField(heights_of(read_image(reader, context, "heights")))
     table = {"water_level": lambda r: {"water_level": _water_level(r, context)}, "smooth": switch("smooth")}
     while (fields := read_fields(reader, table)) is not None:
         field = replace(field, **fields)
