@@ -83,7 +83,7 @@ fn light(source: &LightSource, space: Option<&Transform>) -> Light {
         location,
         color: source.color,
         beam,
-        towards_parallel: source.parallel.then_some(-axis),
+        towards_parallel: (source.parallel || source.kind == LightKind::Cylinder).then_some(-axis),
         shadowless: source.shadowless,
         area: source.area.as_ref().map(|area| Area {
             axes: [space.direction(area.axis1), space.direction(area.axis2)],
