@@ -32,26 +32,34 @@ impl Tracer<'_> {
             if arrival.color.max_element() < NOTHING && arrival.color.map(|c| -c).max_element() < NOTHING {
                 continue;
             }
-            let behind = normal.dot(arrival.direction) < 1e-10;
-            if behind && !spot.looks.double_illuminate && !finish.lit_from_behind {
+            // Which side a lamp lights: none if it lies behind a surface that takes no light from there.
+            let side = |towards: Vec3| {
+                let behind = normal.dot(towards) < 1e-10 && !spot.looks.double_illuminate;
+                (!behind || finish.lit_from_behind).then_some(behind)
+            };
+            let area = light.area.as_ref().filter(|area| area.illumination && scene.quality.area_lights);
+            if area.is_none() && side(arrival.direction).is_none() {
                 continue;
             }
             let color = self.shadowed(number, light, spot, &arrival);
             if color == Rgb::BLACK {
                 continue;
             }
-            let backside = behind && !spot.looks.double_illuminate;
-            sum += self.one_lamp(
-                spot,
-                finish,
-                light,
-                normal,
-                arrival.direction,
-                color,
-                pigment,
-                opacity,
-                backside,
-            );
+            let mut lobes = |tracer: &mut Self, towards| match side(towards) {
+                Some(behind) => {
+                    tracer.one_lamp(spot, finish, light, normal, towards, color, pigment, opacity, behind)
+                }
+                None => Rgb::BLACK,
+            };
+            let Some(area) = area else {
+                sum += lobes(self, arrival.direction);
+                continue;
+            };
+            let points = self.area_points(light, area, arrival.direction);
+            let share = 1.0 / points.len() as f64;
+            for point in points {
+                sum += lobes(self, light.arrival_from(point, spot.point).direction) * share;
+            }
         }
         sum
     }

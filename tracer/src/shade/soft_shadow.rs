@@ -46,6 +46,23 @@ impl Tracer<'_> {
         color
     }
 
+    /// All points of the grid, for `area_illumination`.
+    pub(super) fn area_points(&mut self, light: &Light, area: &Area, towards: Vec3) -> Vec<Vec3> {
+        let axes = area.axes_towards(towards);
+        let [width, height] = area.size;
+        let grid = (0..width).flat_map(|u| (0..height).map(move |v| (u, v)));
+        grid.map(|at| light.location + area.displacement(&axes, at, self.shift(area))).collect()
+    }
+
+    /// How far a point is moved in its cell.
+    fn shift(&mut self, area: &Area) -> [f64; 2] {
+        if area.jitter {
+            [self.random.unit() - 0.5, self.random.unit() - 0.5]
+        } else {
+            [0.0, 0.0]
+        }
+    }
+
     /// Light of the cell between two grid points.
     fn cell_shadow(&mut self, grid: &mut Grid, low: [usize; 2], high: [usize; 2], depth: u32) -> Rgb {
         let mean = |parts: [Rgb; 4]| (parts[0] + parts[1] + parts[2] + parts[3]) * 0.25;
@@ -75,8 +92,7 @@ impl Tracer<'_> {
         if let Some(color) = grid.known[index] {
             return color;
         }
-        let shift =
-            if grid.area.jitter { [self.random.unit() - 0.5, self.random.unit() - 0.5] } else { [0.0, 0.0] };
+        let shift = self.shift(grid.area);
         let offset = grid.area.displacement(&grid.axes, (at[0], at[1]), shift);
         let towards = grid.light.arrival_from(grid.light.location + offset, grid.spot.point);
         // The colour is that of the light's centre; only the way differs.
