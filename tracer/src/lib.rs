@@ -13,6 +13,7 @@ pub mod graph;
 pub mod image;
 pub mod light;
 pub mod math;
+pub mod media;
 pub mod mesh;
 pub mod noise;
 pub mod pattern;

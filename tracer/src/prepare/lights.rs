@@ -98,6 +98,6 @@ fn light(source: &LightSource, space: Option<&Transform>) -> Light {
         projected_through: None,
         photons: source.photons.clone(),
         media_interaction: source.media_interaction,
-        media_attenuation: source.media_attenuation,
+        media_attenuation: source.media_attenuation && source.media_interaction,
     }
 }

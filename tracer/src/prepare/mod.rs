@@ -13,7 +13,8 @@ use crate::atmosphere::{Atmosphere, Sky};
 use crate::camera::Camera;
 use crate::geometry;
 use crate::graph::settings::{Accelerator, RenderSettings};
-use crate::graph::{self, Unsupported};
+use crate::graph::{self, Shared, Unsupported};
+use crate::media::Media;
 use crate::noise::NoiseGenerator;
 use crate::photon;
 use crate::radiosity::Settings;
@@ -37,6 +38,15 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
     let (lights, light_sets) = lights::prepare(scene, &geometry, kind, &mut patterns, &mut unsupported);
     let (camera, missing) = Camera::new(&scene.camera, &mut patterns);
     unsupported.extend(missing.map(|what| Unsupported { feature: what.into(), source: String::new() }));
+    let media: Vec<Box<[Media]>> = geometry
+        .interiors
+        .iter()
+        .map(|worn| {
+            let fill = |media: &Shared<_>| Media::new(media, worn.space.clone(), &mut patterns);
+            worn.item.media.iter().map(fill).collect()
+        })
+        .collect();
+    let air = scene.media.iter().map(|media| Media::new(media, None, &mut patterns)).collect();
     let interiors = geometry.interiors.iter().map(|worn| (*worn.item).clone()).collect();
     let sky = Sky::new(scene, settings.alpha, &mut patterns);
     let atmosphere = Atmosphere::new(scene, &quality);
@@ -46,6 +56,9 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
         textures,
         dresses,
         interiors,
+        has_media: media.iter().any(|list| !list.is_empty()),
+        media,
+        air,
         lights,
         light_sets,
         camera,

@@ -8,6 +8,7 @@ use crate::geometry::{Geometry, NodeId};
 use crate::graph::Interior;
 use crate::light::Light;
 use crate::math::Vec3;
+use crate::media::Media;
 use crate::noise::NoiseGenerator;
 use crate::photon;
 use crate::radiosity;
@@ -24,6 +25,12 @@ pub struct Scene {
     pub(super) dresses: Vec<Dress>,
     /// What fills objects.
     pub interiors: Vec<Interior>,
+    /// The media of each of them.
+    pub media: Vec<Box<[Media]>>,
+    /// Whether any has one.
+    pub has_media: bool,
+    /// The atmosphere's media.
+    pub air: Vec<Media>,
     /// All lights.
     pub lights: Vec<Light>,
     /// Which lights shine outside all light groups, then on each group.
@@ -103,6 +110,18 @@ impl Scene {
     #[inline]
     pub fn is_hollow(&self, around: &Interiors) -> bool {
         around.iter().all(|body| self.geometry.bodies[body as usize].hollow)
+    }
+
+    /// The media that fill a body.
+    #[inline]
+    pub fn media_of(&self, id: BodyId) -> &[Media] {
+        self.geometry.bodies[id as usize].interior.map_or(&[], |interior| &self.media[interior as usize])
+    }
+
+    /// Whether media may dim a lamp's light between surfaces.
+    pub fn is_murky(&self, around: &Interiors, light: &Light) -> bool {
+        (light.media_attenuation && !self.air.is_empty())
+            || (self.has_media && around.iter().any(|body| !self.media_of(body).is_empty()))
     }
 
     /// Optical density; that of open space is 1.

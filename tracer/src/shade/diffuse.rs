@@ -41,11 +41,11 @@ impl Tracer<'_> {
             if area.is_none() && side(arrival.direction).is_none() {
                 continue;
             }
-            let color = self.shadowed(number, light, spot, &arrival);
+            let color = self.shadowed(number, light, &spot.place(), &arrival);
             if color == Rgb::BLACK {
                 continue;
             }
-            let mut lobes = |tracer: &mut Self, towards| match side(towards) {
+            let lobes = |tracer: &mut Self, towards| match side(towards) {
                 Some(behind) => {
                     tracer.one_lamp(spot, finish, light, normal, towards, color, pigment, opacity, behind)
                 }

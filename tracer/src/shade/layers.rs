@@ -2,7 +2,9 @@
 
 use super::frame::Frame;
 use super::interiors::BodyId;
+use super::photon_light::collects;
 use super::reflect::Mirrored;
+use super::shadow::Place;
 use super::texture::Layer;
 use super::{Path, Radiance, Tracer};
 use crate::color::{Rgb, Rgbft};
@@ -60,6 +62,11 @@ impl<'a> Spot<'a> {
     /// Where the outermost texture is asked.
     pub fn frame(&self) -> Frame<'static> {
         Frame::outermost(if self.looks.uv_mapping { self.context.uv_point() } else { self.point })
+    }
+
+    /// Where lamps are asked for light.
+    pub(super) fn place(&self) -> Place<'_> {
+        Place { point: self.point, interiors: &self.path.interiors, collects_photons: collects(self) }
     }
 
     /// The texture of this side.

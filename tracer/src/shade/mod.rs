@@ -8,6 +8,7 @@ mod highlight;
 mod indirect;
 mod interiors;
 mod layers;
+mod media;
 mod photon_flight;
 mod photon_light;
 mod reflect;
@@ -20,6 +21,7 @@ pub use dispersion::Band;
 pub use finish::Finish;
 pub use interiors::{BodyId, Interiors};
 pub use layers::Spot;
+use media::Stretch;
 use reflect::Mirrored;
 pub use texture::{Layer, Texture, TextureId};
 
@@ -29,6 +31,7 @@ use crate::accel::{Counters, RayKind};
 use crate::color::Rgb;
 use crate::geometry::NodeId;
 use crate::math::Ray;
+use crate::media::Phase;
 use crate::photon::PhotonMap;
 use crate::prepare::Scene;
 use crate::radiosity::Indirect;
@@ -91,6 +94,10 @@ pub struct Tracer<'s> {
     grid: Vec<Option<Rgb>>,
     /// The mirrors of the surfaces that are being shaded, the innermost last.
     mirrors: Vec<Mirrored>,
+    /// Parts of the ways through media that are being sampled.
+    stretches: Vec<Stretch>,
+    /// What scatters light at the points of media that are being lit.
+    scatterers: Vec<(Rgb, Phase)>,
     /// Scratch for textures seen together at one point.
     weights: Vec<(Option<u32>, f64)>,
     /// Light thrown by mirrors and lenses, where the scene asks for it.
@@ -113,6 +120,8 @@ impl<'s> Tracer<'s> {
             occluders: vec![None; scene.lights.len()],
             grid: Vec::new(),
             mirrors: Vec::new(),
+            stretches: Vec::new(),
+            scatterers: Vec::new(),
             weights: Vec::new(),
             photons: None,
             indirect: None,
@@ -169,12 +178,19 @@ impl<'s> Tracer<'s> {
         }
         let geometry = &self.scene.geometry;
         let hit = geometry.nearest(&path.ray, NEAREST, f64::INFINITY, path.kind, &mut self.counters);
+        let light_group = hit.and_then(|hit| geometry.looks(hit.node).light_group);
         let (mut seen, distance) = match hit {
-            Some(hit) => (self.surface_light(path, &hit, weight), hit.crossing.t),
+            Some(hit) => {
+                let mut seen = self.surface_light(path, &hit, weight);
+                self.dim_by_bodies(path, hit.crossing.t, light_group, &mut seen);
+                (seen, hit.crossing.t)
+            }
             None => (self.scene.sky.light(path.ray.direction, path.kind), f64::INFINITY),
         };
-        if !self.scene.atmosphere.is_clear() && self.scene.is_hollow(&path.interiors) {
+        let clear = self.scene.atmosphere.is_clear() && self.scene.air.is_empty();
+        if !clear && self.scene.is_hollow(&path.interiors) {
             self.scene.atmosphere.dim(&path.ray, distance, &mut seen);
+            self.dim_by_air(path, distance, light_group, &mut seen);
         }
         (seen, distance)
     }

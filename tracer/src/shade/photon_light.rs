@@ -1,6 +1,7 @@
 //! Photons gathered where they fell. See [`crate::photon`].
 
 use super::layers::Spot;
+use super::shadow::Place;
 use super::{Finish, Tracer};
 use crate::color::Rgb;
 use crate::geometry::NodeId;
@@ -35,15 +36,15 @@ impl Tracer<'_> {
 
     /// Whether photons of a light stand for what goes through an object, so that its shadow is dark on a surface that
     /// collects them (probed).
-    pub(super) fn photons_pass(&self, light: u32, node: NodeId, spot: &Spot) -> bool {
+    pub(super) fn photons_pass(&self, light: u32, node: NodeId, place: &Place) -> bool {
         let looks = self.scene.geometry.looks(node);
         self.photons.is_some()
-            && collects(spot)
+            && place.collects_photons
             && looks.photons.as_ref().is_some_and(|p| p.target.is_some())
             && Allowed::new(self.scene.lights[light as usize].photons.as_ref(), looks).refraction
     }
 }
 
-fn collects(spot: &Spot) -> bool {
+pub(super) fn collects(spot: &Spot) -> bool {
     spot.looks.photons.as_ref().is_none_or(|p| p.collect)
 }

@@ -1,53 +1,68 @@
 //! What of a lamp's light reaches a point past the objects in between.
 
-use super::layers::Spot;
-use super::{Path, Tracer};
+use super::{Interiors, Path, Tracer};
 use crate::accel::RayKind;
 use crate::color::Rgb;
 use crate::geometry::Answer;
 use crate::light::{Arrival, Light};
-use crate::math::Ray;
+use crate::math::{Ray, Vec3};
 
 /// Occluders nearer than this to the point or the lamp throw no shadow.
 const TOLERANCE: f64 = 1e-3;
 
+/// Where light is asked for, on a surface or in a medium.
+pub(super) struct Place<'a> {
+    /// The point.
+    pub point: Vec3,
+    /// The objects that it lies in.
+    pub interiors: &'a Interiors,
+    /// Whether light thrown here by lenses comes as photons.
+    pub collects_photons: bool,
+}
+
 impl Tracer<'_> {
     /// The colour of a lamp's light after shadows.
-    pub(super) fn shadowed(&mut self, number: u32, light: &Light, spot: &Spot, arrival: &Arrival) -> Rgb {
+    pub(super) fn shadowed(&mut self, number: u32, light: &Light, place: &Place, arrival: &Arrival) -> Rgb {
         if !self.scene.quality.shadows {
             return arrival.color;
         }
         if light.shadowless {
-            return self.projected(light, spot, arrival).map_or(Rgb::BLACK, |_| arrival.color);
+            return self.projected(light, place, arrival).map_or(Rgb::BLACK, |_| arrival.color);
         }
         match &light.area {
             // Light that is gathered is blurred anyway.
             Some(area) if self.scene.quality.area_lights && !self.is_gathering() => {
-                self.area_shadow(number, light, area, spot, arrival)
+                self.area_shadow(number, light, area, place, arrival)
             }
-            _ => self.point_shadow(number, light, spot, arrival),
+            _ => self.point_shadow(number, light, place, arrival),
         }
     }
 
     /// How far a shadow ray has to go: to the lamp, or to the object that the light is projected through; none where it
     /// misses that.
-    fn projected(&mut self, light: &Light, spot: &Spot, arrival: &Arrival) -> Option<f64> {
+    fn projected(&mut self, light: &Light, place: &Place, arrival: &Arrival) -> Option<f64> {
         let Some(window) = &light.projected_through else {
             return Some(arrival.distance);
         };
-        let ray = Ray { origin: spot.point, direction: arrival.direction };
+        let ray = Ray { origin: place.point, direction: arrival.direction };
         let hit = window.nearest(&ray, TOLERANCE, arrival.distance, RayKind::Question, &mut self.counters)?;
         Some(hit.crossing.t)
     }
 
     /// Shadow of a single point of light.
-    pub(super) fn point_shadow(&mut self, number: u32, light: &Light, spot: &Spot, arrival: &Arrival) -> Rgb {
-        let Some(distance) = self.projected(light, spot, arrival) else {
+    pub(super) fn point_shadow(
+        &mut self,
+        number: u32,
+        light: &Light,
+        place: &Place,
+        arrival: &Arrival,
+    ) -> Rgb {
+        let Some(distance) = self.projected(light, place, arrival) else {
             return Rgb::BLACK;
         };
         let arrival = &Arrival { distance, ..*arrival };
         let scene = self.scene;
-        let ray = Ray { origin: spot.point, direction: arrival.direction };
+        let ray = Ray { origin: place.point, direction: arrival.direction };
         let limit = arrival.distance - TOLERANCE;
         let last = &mut self.occluders[number as usize];
         let opaque = |node| scene.is_opaque(node);
@@ -76,17 +91,17 @@ impl Tracer<'_> {
         if blocked {
             return Rgb::BLACK;
         }
-        if clear {
+        if clear && !scene.is_murky(place.interiors, light) {
             return arrival.color;
         }
-        self.filtered(number, spot, arrival)
+        self.filtered(number, light, place, arrival)
     }
 
-    /// Light filtered by the transparent objects on its way, from the point to the lamp.
-    fn filtered(&mut self, number: u32, spot: &Spot, arrival: &Arrival) -> Rgb {
+    /// Light filtered by the transparent objects and media on its way, from the point to the lamp.
+    fn filtered(&mut self, number: u32, light: &Light, place: &Place, arrival: &Arrival) -> Rgb {
         let mut path = Path {
-            ray: Ray { origin: spot.point, direction: arrival.direction },
-            interiors: spot.path.interiors,
+            ray: Ray { origin: place.point, direction: arrival.direction },
+            interiors: *place.interiors,
             kind: RayKind::Shadow,
             band: None,
         };
@@ -95,10 +110,15 @@ impl Tracer<'_> {
         while color.max_element() > 0.0 {
             let nearest =
                 self.scene.geometry.nearest(&path.ray, TOLERANCE, left, RayKind::Shadow, &mut self.counters);
+            let distance = nearest.map_or(left, |hit| hit.crossing.t);
+            if self.scene.is_murky(&path.interiors, light) {
+                // Of the last part, up to a lamp in a medium, POV-Ray counts only the atmosphere.
+                color = color.mul_each(self.media_filter(&path, distance, nearest.is_some(), light));
+            }
             let Some(hit) = nearest else {
                 break;
             };
-            if self.photons_pass(number, hit.node, spot) {
+            if self.photons_pass(number, hit.node, place) {
                 return Rgb::BLACK;
             }
             color = color.mul_each(self.surface_filter(&path, &hit));

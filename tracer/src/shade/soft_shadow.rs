@@ -4,7 +4,7 @@
 //! a cell's light is the mean of its corners or of its parts. So points on seams between parts count more than others,
 //! as they do in POV-Ray.
 
-use super::layers::Spot;
+use super::shadow::Place;
 use super::Tracer;
 use crate::color::Rgb;
 use crate::light::{Area, Arrival, Light};
@@ -19,7 +19,7 @@ struct Grid<'a> {
     light: &'a Light,
     area: &'a Area,
     axes: [Vec3; 2],
-    spot: &'a Spot<'a>,
+    place: &'a Place<'a>,
     arrival: &'a Arrival,
     /// Shadows of grid points already computed.
     known: Vec<Option<Rgb>>,
@@ -32,7 +32,7 @@ impl Tracer<'_> {
         number: u32,
         light: &Light,
         area: &Area,
-        spot: &Spot,
+        place: &Place,
         arrival: &Arrival,
     ) -> Rgb {
         let [width, height] = area.size;
@@ -40,7 +40,7 @@ impl Tracer<'_> {
         known.clear();
         known.resize(width * height, None);
         let axes = area.axes_towards(arrival.direction);
-        let mut grid = Grid { number, light, area, axes, spot, arrival, known };
+        let mut grid = Grid { number, light, area, axes, place, arrival, known };
         let color = self.cell_shadow(&mut grid, [0, 0], [width - 1, height - 1], 0);
         self.grid = grid.known;
         color
@@ -94,12 +94,12 @@ impl Tracer<'_> {
         }
         let shift = self.shift(grid.area);
         let offset = grid.area.displacement(&grid.axes, (at[0], at[1]), shift);
-        let towards = grid.light.arrival_from(grid.light.location + offset, grid.spot.point);
+        let towards = grid.light.arrival_from(grid.light.location + offset, grid.place.point);
         // The colour is that of the light's centre; only the way differs.
         let color = self.point_shadow(
             grid.number,
             grid.light,
-            grid.spot,
+            grid.place,
             &Arrival { color: grid.arrival.color, ..towards },
         );
         grid.known[index] = Some(color);

@@ -1,0 +1,69 @@
+//! One point of a medium: what it loses, gives, and throws towards the eye.
+
+use super::stretches::Stretch;
+use super::{passing, Influence, Way};
+use crate::color::Rgb;
+use crate::light::Light;
+use crate::math::Vec3;
+use crate::media::Phase;
+use crate::shade::shadow::Place;
+use crate::shade::Tracer;
+
+impl Tracer<'_> {
+    /// What a stretch does if it is everywhere as at the share `at` of its length. With `fading`, light is dimmed on
+    /// its way out of the stretch.
+    pub(super) fn sample(&mut self, way: &Way, stretch: &Stretch, at: f64, fading: bool) -> Influence {
+        let scene = self.scene;
+        let point = way.ray.at(stretch.start + at * stretch.length);
+        let mut extinction = Rgb::BLACK;
+        let mut light = Rgb::BLACK;
+        let first = self.scatterers.len();
+        for media in way.matter.media(scene) {
+            let density = media.density(point);
+            if density == Rgb::BLACK {
+                continue;
+            }
+            extinction += density.mul_each(media.extinction);
+            if way.shadow {
+                continue;
+            }
+            light += density.mul_each(media.emission);
+            if let Some((color, phase)) = media.scattering.filter(|_| stretch.lit) {
+                self.scatterers.push((density.mul_each(color), phase));
+            }
+        }
+        if self.scatterers.len() > first {
+            light += self.scattered(way, point, first);
+            self.scatterers.truncate(first);
+        }
+        if fading {
+            light = light.mul_each(passing(extinction * (at * stretch.length)));
+        }
+        Influence { light: light * stretch.length, depth: extinction * stretch.length }
+    }
+
+    /// Light of all lamps that the scatterers from `first` on throw towards the eye.
+    fn scattered(&mut self, way: &Way, point: Vec3, first: usize) -> Rgb {
+        let scene = self.scene;
+        let place = Place { point, interiors: way.interiors, collects_photons: false };
+        let mut sum = Rgb::BLACK;
+        for &number in scene.lights_for(way.light_group) {
+            let light: &Light = &scene.lights[number as usize];
+            if !light.media_interaction || light.shadowless {
+                continue;
+            }
+            let arrival = light.arrival(point);
+            if arrival.color == Rgb::BLACK {
+                continue;
+            }
+            let color = self.shadowed(number, light, &place, &arrival);
+            if color == Rgb::BLACK {
+                continue;
+            }
+            let cos = way.ray.direction.dot(arrival.direction);
+            let thrown = |sum: Rgb, &(amount, phase): &(Rgb, Phase)| sum + amount * phase.factor(cos);
+            sum += color.mul_each(self.scatterers[first..].iter().fold(Rgb::BLACK, thrown));
+        }
+        sum
+    }
+}
