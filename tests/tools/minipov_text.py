@@ -34,5 +34,6 @@ def run_minipov(scene: Path, work: Path, switches: Sequence[str] = ()) -> Said:
         error = raised
     finally:
         os.chdir(before)
-    debug = tuple(message.text.rstrip() for message in messages.all if message.kind == "debug")
+    lines = "\n".join(message.text for message in messages.all if message.kind == "debug").splitlines()
+    debug = tuple(line.rstrip() for line in lines)
     return Said(debug, tuple(message for message in messages.all if message.kind == "warning"), error)
