@@ -48,6 +48,8 @@ def constant(node: tree.Item) -> Any:
         case tree.Binary(operator=operator, left=left, right=right) if operator in ARITHMETIC:
             return _folded(operator, constant(left), constant(right))
         case tree.Vector(items=items):
+            if any(isinstance(item, tree.Vector) for item in items):
+                return None
             terms = [constant(item) for item in items if not is_comma(item)]
             return Vector(terms) if len(terms) > 1 and all(type(term) is float for term in terms) else None
     return None
