@@ -142,11 +142,12 @@ OPTIONS: tuple[Option, ...] = (
     *_accepted(_PROGRAM, "text", "", "Video_Mode", "Palette", "Preview_Start_Size SP", "Preview_End_Size EP",
                "Test_Abort_Count"),
     *(
-        Option(_PROGRAM, f"{moment}_Command", "text", "", "", "a command to run", support="not yet")
+        Option(_PROGRAM, f"{moment}_Command", "text", "", "", "a command for the shell, with %o %s %n %k %w %h")
         for moment in ("Pre_Scene", "Pre_Frame", "Post_Frame", "Post_Scene", "User_Abort", "Fatal_Error")
     ),
     *(
-        Option(_PROGRAM, f"{moment}_Return", "text", "", "", "what its status decides", support="accepted")
+        Option(_PROGRAM, f"{moment}_Return", "text", "", "", "what follows when it fails: I ignore, S skip the frame, "
+               "A skip all, Q quit, U abort, F fail; after - when it succeeds")
         for moment in ("Pre_Scene", "Pre_Frame", "Post_Frame", "Post_Scene", "User_Abort", "Fatal_Error")
     ),
 )  # fmt: skip

@@ -44,7 +44,7 @@ class Unfinished:
         part = self.path.with_name(self.path.name + ".part")
         try:
             with part.open("wb") as file:
-                np.savez_compressed(file, pixels=pixels, key=np.array(self._key))
+                np.savez(file, pixels=pixels, key=np.array(self._key))
             part.replace(self.path)
         except OSError:
             part.unlink(missing_ok=True)

@@ -54,7 +54,7 @@ def trace(traceback: TracebackType | None) -> list[tuple[str, Place]]:
 
     Statements alike, called by their file's code, do not count as another frame.
     """
-    frames = []
+    frames: list[tuple[str, Place]] = []
     while traceback is not None:
         if is_scene(traceback.tb_frame):
             name = traceback.tb_frame.f_code.co_name
