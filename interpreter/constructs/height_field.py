@@ -8,9 +8,11 @@ from typing import Final
 import numpy as np
 from minipov.interpreter.constructs.common import read_fields, switch
 from minipov.interpreter.constructs.files import IMAGE_TYPES
+from minipov.interpreter.constructs.function_images import sampled_heights
 from minipov.interpreter.constructs.image_maps import read_image
 from minipov.interpreter.constructs.shape import shape
 from minipov.interpreter.context import Context
+from minipov.interpreter.items import FunctionImage
 from minipov.interpreter.reader import ItemReader
 from minipov.tracer.image import Image
 from minipov.tracer.objects import Shape
@@ -41,7 +43,9 @@ def heights_of(picture: Image) -> NDArray[np.float64]:
     accepts=(*IMAGE_TYPES, "gamma", "water_level", "smooth", "hierarchy"),
 )
 def height_field(reader: ItemReader, context: Context) -> Shape:
-    field = HeightField(heights_of(read_image(reader, context, "heights")))
+    source = reader.node(FunctionImage)
+    heights = heights_of(read_image(reader, context, "heights")) if source is None else sampled_heights(source)
+    field = HeightField(heights)
     table = {"water_level": lambda r: {"water_level": _water_level(r, context)}, "smooth": switch("smooth")}
     while (fields := read_fields(reader, table)) is not None:
         field = replace(field, **fields)

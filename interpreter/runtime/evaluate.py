@@ -50,7 +50,7 @@ def call_function(callee: Any, values: Sequence[Any]) -> Any:
         return evaluate(callee, values[0], kind)
     if not isinstance(callee, FUNCTIONS):
         raise SdlError(f"{kind_of(callee)} cannot be called", hint="only macros, functions and splines can")
-    value = _compiled(callee)(*expand(callee, values))
+    value = compiled_function(callee)(*expand(callee, values))
     return Vector(value) if isinstance(value, tuple) else value
 
 
@@ -77,7 +77,8 @@ def expand(function: Function, values: Sequence[Any]) -> tuple[float, ...]:
 _cache: dict[int, tuple[Function, Any]] = {}
 
 
-def _compiled(function: Function) -> Any:
+def compiled_function(function: Function) -> Any:
+    """The core's function, made once."""
     known = _cache.get(id(function))
     if known is not None and known[0] is function:
         return known[1]
