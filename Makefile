@@ -59,7 +59,7 @@ editor: ## test the VS Code extension and pack it (needs Node.js)
 
 # mypy sees the five rooms as one package through links, as an installation does.
 MYPY_TREE := build/mypy
-$(MYPY_TREE)/minipov: $(shell find minipov grammar interpreter tracer -name __init__.py -not -path '*/target/*')
+$(MYPY_TREE)/minipov: $(shell find minipov grammar interpreter tracer editor -name __init__.py -not -path "*/target/*" -not -path "*/node_modules/*")
 	@tools/link-package $(MYPY_TREE)
 
 check: build $(MYPY_TREE)/minipov ## ruff, mypy --strict, clippy, rustfmt

@@ -6,25 +6,29 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterator
 from functools import cached_property
 from itertools import accumulate
-from typing import Any, TypeVar
+from typing import Any, Final, TypeVar
 
 from lark import Token
+from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.statements import Statement, split
 from minipov.grammar.lexer import speaks_38
 
 T = TypeVar("T")
 
+_MOST_PARTS: Final = 50_000
+
 
 class Document:
     """A text with its statements; ``edited`` gives the next one, which shares what did not change.
 
-    ``found`` keeps what analyses found out about the whole text.
+    ``found`` keeps what analyses found out about the whole text, ``parts`` what is known about parts of statements.
     """
 
     def __init__(self, text: str, path: str = "", before: Document | None = None) -> None:
         self.text = text
         self.path = path
         self.found: dict[str, Any] = {}
+        self.parts: dict[bytes, list[Problem]] = before.parts if before and len(before.parts) < _MOST_PARTS else {}
         self.version_38 = speaks_38(text)
         self.statements = _statements(text, self.version_38, before)
         self.starts = list(accumulate((len(s.text) for s in self.statements[:-1]), initial=0))

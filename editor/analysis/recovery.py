@@ -36,17 +36,22 @@ _CLOSES_BODIES: Final = {"RBRACE": {"END", "$END"}, "END": {"$END"}}
 
 
 def parse(statement: Statement) -> tuple[tuple[Any, ...], list[Problem]]:
-    """The items of a statement's tree as far as there are any, and what is wrong in it.
+    """The items of a statement's tree as far as there are any, and what is wrong in it."""
+    last = statement.tokens[-1] if statement.tokens else Token("NAME", "", 0, 1, 1)
+    return parse_tokens(mark_loose_braces(statement.tokens), last, statement)
+
+
+def parse_tokens(tokens: Sequence[Token], last: Token, statement: Statement) -> tuple[tuple[Any, ...], list[Problem]]:
+    """The same for some of the tokens of a statement, of which ``last`` tells where they end.
 
     What follows a token left out, or one that could not be read, is likely a consequence and not reported.
     """
-    tokens = mark_loose_braces(statement.tokens)
     parser = interactive_parser()
     problems: list[Problem] = []
     quiet = len(tokens) if statement.problems else 0
     result: Any = None
     try:
-        for token in (*tokens, _end_token(statement)):
+        for token in (*tokens, Token.new_borrow_pos("$END", "", last)):
             try:
                 result = parser.feed_token(token)
                 quiet -= 1
@@ -71,11 +76,6 @@ def parse(statement: Statement) -> tuple[tuple[Any, ...], list[Problem]]:
 def _is_echo(problems: list[Problem], error: UnexpectedToken) -> bool:
     """Whether only a closing bracket is amiss, after another mistake in the same statement."""
     return bool(problems) and error.token.type in {"RPAR", "RBRACE", "RSQB", "MORE", "END", "$END"}
-
-
-def _end_token(statement: Statement) -> Token:
-    last = statement.tokens[-1] if statement.tokens else Token("NAME", "", 0, 1, 1)
-    return Token.new_borrow_pos("$END", "", last)
 
 
 def _what_is_missing(parser: InteractiveParser, token: Token) -> Sequence[str]:

@@ -7,6 +7,7 @@ from typing import Any
 
 from lark import Token
 from minipov.editor.analysis.document import Document
+from minipov.editor.analysis.parts import LARGE, Known, problems_by_parts
 from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.recovery import parse
 from minipov.editor.analysis.statements import DIVIDING, OPENING, Statement
@@ -23,9 +24,15 @@ def syntax_problems(document: Document) -> list[Problem]:
     problems = [
         problem.moved(start)
         for start, statement in document.placed()
-        for problem in (*statement.problems, *_parsed(statement)[1])
+        for problem in (*statement.problems, *_problems(statement, document.parts))
     ]
     return sorted([*problems, *_stray_braces(document)], key=lambda problem: problem.start)
+
+
+def _problems(statement: Statement, known: Known) -> list[Problem]:
+    if len(statement.tokens) < LARGE or statement.problems:
+        return _parsed(statement)[1]
+    return statement.known("problems", lambda statement: problems_by_parts(statement, known))
 
 
 def _parsed(statement: Statement) -> tuple[tuple[Any, ...], list[Problem]]:

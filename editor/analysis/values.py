@@ -6,7 +6,7 @@ that depends on anything that runs, has no value here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import takewhile
 from math import pi
@@ -15,8 +15,9 @@ from typing import Any, Final
 from minipov.editor.analysis.document import Document
 from minipov.editor.analysis.library import Library
 from minipov.editor.analysis.names import Declaration, declarations
-from minipov.editor.analysis.syntax import tree_of
+from minipov.editor.analysis.recovery import parse_tokens
 from minipov.grammar import tree
+from minipov.grammar.braces import mark_loose_braces
 from minipov.grammar.lexer import unescape
 from minipov.interpreter.runtime.builtins import BUILTINS
 from minipov.interpreter.values import COMPONENTS, Vector
@@ -73,15 +74,13 @@ class _Evaluator:
         if declaration.kind != "value" or len(same) > 1 or self.depth > _DEEPEST:
             raise _NoValueError
         start, statement = document.at(declaration.start)
-        line = statement.text.count("\n", 0, declaration.start - start) + 1
-        column = declaration.start - start - statement.text.rfind("\n", 0, declaration.start - start)
-        for items in _item_lists(tree_of(statement)):
-            for at, item in enumerate(items):
-                if isinstance(item, tree.Declare) and any(_is_at(t, line, column) for t in item.targets):
-                    value = self.items(items[at + 1 :])
-                    self.depth -= 1
-                    return value
-        raise _NoValueError
+        tokens = [t for t in statement.tokens if declaration.from_ <= start + (t.start_pos or 0) < declaration.to]
+        items, _ = parse_tokens(mark_loose_braces(tokens), tokens[-1], statement)
+        if not items or not isinstance(items[0], tree.Declare):
+            raise _NoValueError
+        value = self.items(items[1:])
+        self.depth -= 1
+        return value
 
     def items(self, items: Sequence[Any]) -> Any:
         """The value of a declaration: the items up to a semicolon."""
@@ -144,23 +143,3 @@ class _Evaluator:
 def _plain(value: Any) -> Any:
     """A colour as the vector that operators see."""
     return value.terms if isinstance(value, Color) else value
-
-
-def _is_at(node: Any, line: int, column: int) -> bool:
-    return node is not None and node.line == line and node.column == column
-
-
-def _item_lists(items: Sequence[Any]) -> Iterator[Sequence[Any]]:
-    """The items, and those of all directive bodies and blocks among them."""
-    yield items
-    for item in items:
-        match item:
-            case tree.If(branches=branches, otherwise=otherwise):
-                for branch in branches:
-                    yield from _item_lists(branch.items)
-                yield from _item_lists(otherwise or ())
-            case tree.Switch(cases=cases):
-                for case in cases:
-                    yield from _item_lists(case.items)
-            case tree.While() | tree.For() | tree.Macro() | tree.Block():
-                yield from _item_lists(item.items)
