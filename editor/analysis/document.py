@@ -10,7 +10,7 @@ from typing import Any, Final, TypeVar
 
 from lark import Token
 from minipov.editor.analysis.problem import Problem
-from minipov.editor.analysis.statements import Statement, split
+from minipov.editor.analysis.statements import Statement, split, unchanged
 from minipov.grammar.lexer import speaks_38
 
 T = TypeVar("T")
@@ -94,7 +94,12 @@ def _statements(text: str, version_38: bool, before: Document | None) -> list[St
     at = before.starts[kept] if kept < len(before.starts) else 0
     shift = len(before.text) - len(text)
     old_starts = {start: index for index, start in enumerate(before.starts)}
-    for statement in split(text, at, version_38):
+
+    def known(start: int) -> list[Token]:
+        index = old_starts.get(start)
+        return [] if index is None or start >= same_head else unchanged(before.statements[index], same_head - start)
+
+    for statement in split(text, at, version_38, known):
         index = old_starts.get(at + shift) if at >= len(text) - same_tail else None
         if index is not None:
             return statements + before.statements[index:]

@@ -15,13 +15,17 @@ from lark import Token
 from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.recovery import parse_tokens
 from minipov.editor.analysis.statements import DIVIDING, OPENING, Statement
-from minipov.grammar.braces import mark_loose_braces
 
 LARGE: Final = 1000
 """Tokens from which on a statement is checked in parts."""
 
 _SMALLEST: Final = 12
 """Tokens below which a block or body is parsed with what is around it."""
+
+_SHORTEST_RUN: Final = 100
+_LOOKED_AT: Final = 6
+_OPENS: Final = OPENING | {"LBRACE", "LPAR", "LSQB", "LESS"}
+_CLOSES: Final = frozenset({"END", "RBRACE", "RPAR", "RSQB", "MORE"})
 
 Known: TypeAlias = MutableMapping[bytes, list[Problem]]
 """Problems by the digest of a part's text, at offsets from its start."""
@@ -39,8 +43,8 @@ class _Part:
 
 def problems_by_parts(statement: Statement, known: Known) -> list[Problem]:
     """What is wrong in a large statement; ``known`` is read and added to."""
-    mark_loose_braces(statement.tokens)
-    whole = _Part(0, len(statement.tokens), inner=_parts(statement.tokens))
+    tokens = statement.marked()
+    whole = _Part(0, len(tokens), inner=_parts(tokens))
     return sorted(_check(whole, statement, known), key=lambda problem: problem.start)
 
 
@@ -49,15 +53,48 @@ def _check(part: _Part, statement: Statement, known: Known) -> Iterable[Problem]
     if part.first >= part.end:
         return ()
     start = tokens[part.first].start_pos or 0
-    text = statement.text[start : tokens[part.end - 1].end_pos]
-    key = blake2b(text.encode("utf-8", "surrogatepass"), digest_size=16).digest()
+    key = _digest(statement.text[start : tokens[part.end - 1].end_pos])
     if key not in known:
-        around = list(_around(part, tokens))
-        found = parse_tokens(around, tokens[part.end - 1], statement)[1]
+        found: list[Problem] = []
+        for run in _runs(list(_around(part, tokens)), statement.text):
+            found += _check_run(run, statement, known)
         for inner in part.inner:
             found += _check(inner, statement, known)
         known[key] = [problem.moved(-start) for problem in found]
     return [problem.moved(start) for problem in known[key]]
+
+
+def _check_run(run: Sequence[Token], statement: Statement, known: Known) -> Iterable[Problem]:
+    start = run[0].start_pos or 0
+    key = _digest(statement.text[start : run[-1].end_pos])
+    if key not in known:
+        known[key] = [problem.moved(-start) for problem in parse_tokens(run, run[-1], statement)[1]]
+    return [problem.moved(start) for problem in known[key]]
+
+
+def _runs(tokens: list[Token], text: str) -> Iterator[list[Token]]:
+    """The items of a part in runs that end at a comma outside of all brackets, for long lists of numbers and vectors.
+
+    Whether one ends at a comma is decided by what stands there, so that an edit does not move the ends of all others.
+    """
+    first = depth = 0
+    for at, token in enumerate(tokens):
+        kind = token.type
+        if kind in _OPENS:
+            depth += 1
+        elif kind in _CLOSES:
+            depth -= 1
+        elif kind == "COMMA" and depth == 0 and at - first >= _SHORTEST_RUN:
+            comma = token.start_pos or 0
+            if hash(text[comma - _LOOKED_AT : comma]) % 4 == 0:
+                yield tokens[first : at + 1]
+                first = at + 1
+    if first < len(tokens):
+        yield tokens[first:]
+
+
+def _digest(text: str) -> bytes:
+    return blake2b(text.encode("utf-8", "surrogatepass"), digest_size=16).digest()
 
 
 def _around(part: _Part, tokens: Sequence[Token]) -> Iterator[Token]:

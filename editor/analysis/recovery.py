@@ -15,7 +15,6 @@ from lark.exceptions import UnexpectedToken
 from lark.parsers.lalr_interactive_parser import InteractiveParser
 from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.statements import Statement
-from minipov.grammar.braces import mark_loose_braces
 from minipov.grammar.errors import SdlSyntaxError
 from minipov.grammar.explain import explain
 from minipov.grammar.parser import interactive_parser
@@ -38,17 +37,17 @@ _CLOSES_BODIES: Final = {"RBRACE": {"END", "$END"}, "END": {"$END"}}
 def parse(statement: Statement) -> tuple[tuple[Any, ...], list[Problem]]:
     """The items of a statement's tree as far as there are any, and what is wrong in it."""
     last = statement.tokens[-1] if statement.tokens else Token("NAME", "", 0, 1, 1)
-    return parse_tokens(mark_loose_braces(statement.tokens), last, statement)
+    return parse_tokens(statement.marked(), last, statement)
 
 
 def parse_tokens(tokens: Sequence[Token], last: Token, statement: Statement) -> tuple[tuple[Any, ...], list[Problem]]:
     """The same for some of the tokens of a statement, of which ``last`` tells where they end.
 
-    What follows a token left out, or one that could not be read, is likely a consequence and not reported.
+    What follows a token left out is likely a consequence and not reported.
     """
     parser = interactive_parser()
     problems: list[Problem] = []
-    quiet = len(tokens) if statement.problems else 0
+    quiet = 0
     result: Any = None
     try:
         for token in (*tokens, Token.new_borrow_pos("$END", "", last)):

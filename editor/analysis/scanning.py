@@ -17,25 +17,26 @@ _COMMENT_EDGE: Final = re.compile(r"/\*|\*/")
 _SPACE: Final = re.compile(r"\s*")
 
 
-def scan(text: str, start: int, version_38: bool, problems: list[Problem]) -> Iterator[Token]:
-    """Tokens from ``start`` on, their offsets those in ``text``; lines and columns count from ``start``."""
-    at, lines, column_shift = start, 0, 0
+def scan(text: str, start: int, at: int, version_38: bool, problems: list[Problem]) -> Iterator[Token]:
+    """Tokens from ``at`` on; offsets, lines and columns count from ``start``, which begins a line."""
     while True:
+        lines = text.count("\n", start, at)
+        column_shift = at - max(start, text.rfind("\n", start, at) + 1)
         try:
             for token in tokenize(text, "", at, version_38):
-                if lines or column_shift:
-                    column = (token.column or 0) + (column_shift if token.line == 1 else 0)
-                    token.line, token.column = (token.line or 0) + lines, column
+                if token.line == 1:
+                    token.column = (token.column or 0) + column_shift
+                token.line = (token.line or 0) + lines
+                token.start_pos = (token.start_pos or 0) - start
+                token.end_pos = (token.end_pos or 0) - start
                 yield token
             return
         except SdlSyntaxError as error:
             begin = _offset(text, at, error.line, error.column)
             unreadable = _UNREADABLE.match(text, begin)
             end = unreadable.end() if unreadable else begin + 1
-            problems.append(Problem(begin, end, error.message, error.hint))
-            lines = text.count("\n", start, end)
-            line_start = text.rfind("\n", start, end) + 1 or start
-            at, column_shift = end, end - line_start
+            problems.append(Problem(begin - start, end - start, error.message, error.hint))
+            at = end
 
 
 def _offset(text: str, start: int, line: int, column: int) -> int:

@@ -6,17 +6,22 @@ one is relative to its start and stays with it while other parts of the text cha
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from itertools import pairwise
-from typing import Any, Final, TypeVar
+from itertools import chain, pairwise
+from typing import Any, Final, TypeAlias, TypeVar
 
 from lark import Token
 from minipov.editor.analysis.language import BLOCKS
 from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.scanning import line_break, scan
+from minipov.grammar.braces import mark_loose_braces
 
 T = TypeVar("T")
+
+Reuse: TypeAlias = Callable[[int], list[Token]]
+"""The tokens that are known of the statement at an offset, from before an edit."""
 
 OPENING: Final = frozenset({"IF", "IFDEF", "IFNDEF", "SWITCH", "WHILE", "FOR", "MACRO"})
 DIVIDING: Final = frozenset({"ELSE", "ELSEIF", "CASE", "RANGE"})
@@ -44,6 +49,13 @@ class Statement:
     problems: list[Problem]
     open: bool = False
     found: dict[str, Any] = field(default_factory=dict)
+
+    def marked(self) -> list[Token]:
+        """The tokens, with braces marked that have no partner; an edit may have left marks of another state."""
+        for token in self.tokens:
+            token.type = token.type.removeprefix("LOOSE_")
+        mark_loose_braces(self.tokens)
+        return self.tokens
 
     def known(self, name: str, work: Callable[[Statement], T]) -> T:
         """What ``work`` finds out about the statement, worked out once."""
@@ -107,51 +119,58 @@ def _may_start(token: Token, previous: str) -> bool:
     return previous in _OPERAND_ENDS and token.value in BLOCKS
 
 
-def split(text: str, start: int, version_38: bool) -> Iterator[Statement]:
+def split(text: str, start: int, version_38: bool, before: Reuse | None = None) -> Iterator[Statement]:
     """The statements of ``text`` from ``start`` on, where one must begin."""
     while start < len(text):
-        statement = _next(text, start, version_38)
+        statement = _next(text, start, version_38, before(start) if before else [])
         yield statement
         start += len(statement.text)
 
 
-def _next(text: str, start: int, version_38: bool) -> Statement:
+def _next(text: str, start: int, version_38: bool, known: list[Token]) -> Statement:
+    """The statement at ``start``, of whose tokens the first are ``known``."""
     openings = _Openings()
     problems: list[Problem] = []
     tokens: list[Token] = []
-    previous_end, cut = start, len(text)
-    for token in scan(text, start, version_38, problems):
+    previous_end, end = 0, len(text) - start
+    at = start + (known[-1].end_pos or 0) if known else start
+    for token in chain(known, scan(text, start, at, version_38, problems)):
         if tokens and not openings.stack and _may_start(token, openings.previous):
-            line = line_break(text, previous_end, token.start_pos or 0)
+            line = line_break(text, start + previous_end, start + (token.start_pos or 0))
             if line is not None:
-                cut = line
+                end = line - start
                 break
         openings.take(token)
         tokens.append(token)
         previous_end = token.end_pos or 0
     if openings.stack:
-        cut = _cut_after(text, tokens, openings.stack[0][1], cut)
-    return _statement(text, start, cut, tokens, problems, open=bool(openings.stack or problems))
+        end = _end_after(text, start, tokens, openings.stack[0][1], end)
+        tokens = [token for token in tokens if (token.start_pos or 0) < end]
+    problems = [problem for problem in problems if problem.start < end]
+    return Statement(text[start : start + end], tokens, problems, bool(openings.stack or problems))
 
 
-def _cut_after(text: str, tokens: list[Token], opener: Token, end: int) -> int:
+def _end_after(text: str, start: int, tokens: list[Token], opener: Token, end: int) -> int:
     """Where to end a statement in which ``opener`` is never closed: at the next line that looks like another one."""
     after = False
     for previous, token in pairwise(tokens):
         after = after or previous is opener
         begins_line = token.column == 1 and token.line != previous.line
         if after and begins_line and (token.type in STARTING or token.value in BLOCKS):
-            line = line_break(text, previous.end_pos or 0, token.start_pos or 0)
+            line = line_break(text, start + (previous.end_pos or 0), start + (token.start_pos or 0))
             if line is not None:
-                return line
+                return line - start
     return end
 
 
-def _statement(
-    text: str, start: int, end: int, tokens: list[Token], problems: list[Problem], *, open: bool
-) -> Statement:
-    tokens = [token for token in tokens if (token.start_pos or 0) < end]
-    for token in tokens:
-        token.start_pos = (token.start_pos or 0) - start
-        token.end_pos = (token.end_pos or 0) - start
-    return Statement(text[start:end], tokens, [p.moved(-start) for p in problems if p.start < end], open)
+def unchanged(statement: Statement, length: int) -> list[Token]:
+    """The tokens of a statement that stay as they are when only what lies behind its first characters changes.
+
+    The last of them may grow, so it is not counted. What is loose must be found out again.
+    """
+    length = min([length, *(problem.start for problem in statement.problems)])
+    count = bisect_left(statement.tokens, length, key=lambda token: token.end_pos or 0)
+    return [
+        Token.new_borrow_pos(token.type.removeprefix("LOOSE_"), token.value, token) if "LOOSE" in token.type else token
+        for token in statement.tokens[: max(0, count - 1)]
+    ]

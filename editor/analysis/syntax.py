@@ -11,7 +11,6 @@ from minipov.editor.analysis.parts import LARGE, Known, problems_by_parts
 from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.recovery import parse
 from minipov.editor.analysis.statements import DIVIDING, OPENING, Statement
-from minipov.grammar.braces import mark_loose_braces
 
 
 def tree_of(statement: Statement) -> tuple[Any, ...]:
@@ -30,7 +29,10 @@ def syntax_problems(document: Document) -> list[Problem]:
 
 
 def _problems(statement: Statement, known: Known) -> list[Problem]:
-    if len(statement.tokens) < LARGE or statement.problems:
+    """What the parser says; where something could not even be read, the rest is likely a consequence."""
+    if statement.problems:
+        return []
+    if len(statement.tokens) < LARGE:
         return _parsed(statement)[1]
     return statement.known("problems", lambda statement: problems_by_parts(statement, known))
 
@@ -51,7 +53,7 @@ def _stray_braces(document: Document) -> Iterator[Problem]:
         opened: list[Token] = []
         loose = statement.known("loose", _LooseBraces)
         for token in loose.outside:
-            if token.type == "LOOSE_LBRACE":
+            if token.value == "{":
                 opened.append(token)
             elif opened:
                 opened.pop()
@@ -78,8 +80,7 @@ class _LooseBraces:
         self.open = 0
         self.unknown = False
         self._bodies: list[tuple[str, list[int]]] = []
-        mark_loose_braces(statement.tokens)
-        for token in statement.tokens:
+        for token in statement.marked():
             self._take(token)
 
     def _take(self, token: Token) -> None:

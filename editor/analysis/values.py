@@ -23,6 +23,9 @@ from minipov.interpreter.runtime.builtins import BUILTINS
 from minipov.interpreter.values import COMPONENTS, Vector
 
 _DEEPEST: Final = 30
+_LONGEST: Final = 200
+"""Tokens of a declaration beyond which it is not looked into."""
+
 _CONSTANTS: Final[dict[str, float | Vector]] = {
     "pi": pi, "tau": 2 * pi, "on": 1.0, "yes": 1.0, "true": 1.0, "off": 0.0, "no": 0.0, "false": 0.0,
     "x": Vector((1.0, 0.0, 0.0)), "y": Vector((0.0, 1.0, 0.0)), "z": Vector((0.0, 0.0, 1.0)),
@@ -75,6 +78,8 @@ class _Evaluator:
             raise _NoValueError
         start, statement = document.at(declaration.start)
         tokens = [t for t in statement.tokens if declaration.from_ <= start + (t.start_pos or 0) < declaration.to]
+        if len(tokens) > _LONGEST:
+            raise _NoValueError
         items, _ = parse_tokens(mark_loose_braces(tokens), tokens[-1], statement)
         if not items or not isinstance(items[0], tree.Declare):
             raise _NoValueError

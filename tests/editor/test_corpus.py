@@ -14,10 +14,12 @@ from minipov.editor.analysis.help import help_at
 from minipov.editor.analysis.highlighting import highlights
 from minipov.editor.analysis.names import uses
 from minipov.editor.analysis.outline import folds, outline
+from minipov.editor.analysis.parts import LARGE, problems_by_parts
+from minipov.editor.analysis.recovery import parse
 from minipov.editor.analysis.signatures import signature_at
 from minipov.editor.analysis.syntax import tree_of
+from minipov.grammar import parse as parse_file
 from minipov.grammar.lexer import decode
-from minipov.grammar.parser import parse
 
 LIBRARY = library()
 
@@ -59,4 +61,23 @@ def test_statements_parse_as_the_whole_does() -> None:
     for file in FOLDERS[1].glob("*.inc"):
         text = decode(file.read_bytes())
         items = [item for statement in Document(text).statements for item in tree_of(statement)]
-        assert [type(item) for item in items] == [type(item) for item in parse(text).items], file
+        assert [type(item) for item in items] == [type(item) for item in parse_file(text).items], file
+
+
+@pytest.mark.parametrize("name", ["stones1.inc", "shapes3.inc", "woods.inc"])
+def test_large_statements_in_parts_are_as_wrong_as_the_whole(name: str) -> None:
+    text = decode((FOLDERS[1] / name).read_bytes())
+    document = Document(text, name)
+    assert max(len(statement.tokens) for statement in document.statements) >= LARGE
+    for mistake in (")", "sphere", "= 1", "<"):
+        for at in range(len(text) // 7, len(text) - 1, len(text) // 7):
+            at = text.index("\n", at)
+            edited = document.edited(text[:at] + mistake + text[at:])
+            for _, statement in edited.placed():
+                if len(statement.tokens) >= LARGE and not statement.problems:
+                    whole = parse(statement)[1]
+                    parts = problems_by_parts(statement, {})
+                    assert problems_by_parts(statement, edited.parts) == parts
+                    assert bool(whole) == bool(parts)
+                    if mistake != "<":  # which swallows what follows, as far as the part reaches
+                        assert [one.start for one in whole[:1]] == [one.start for one in parts[:1]]
