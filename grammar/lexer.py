@@ -39,7 +39,7 @@ _TOKEN: Final = re.compile(
 _COMMENT_EDGE: Final = re.compile(r"/\*|\*/")
 _BLANKED: Final = str.maketrans("<>,", "   ")
 
-_PUNCTUATION: Final = {
+PUNCTUATION: Final = {
     "(": "LPAR", ")": "RPAR", "<": "LESS", ">": "MORE", "[": "LSQB", "]": "RSQB", "{": "LBRACE", "}": "RBRACE",
     ",": "COMMA", ";": "SEMICOLON", ":": "COLON", ".": "DOT", "=": "EQUAL", "+": "PLUS", "-": "MINUS", "*": "STAR",
     "/": "SLASH", "?": "QUESTION", "!": "BANG", "&": "AND", "|": "OR", "<=": "LESSEQ", ">=": "MOREEQ", "!=": "NOTEQ",
@@ -145,7 +145,7 @@ def tokenize(
             yield Token(previous, value, start, line, column, line, column, at)
             continue
         if kind == "punctuation":
-            previous = _PUNCTUATION[value]
+            previous = PUNCTUATION[value]
             yield Token(previous, value, start, line, column, line, column, at)
             continue
         if kind == "number":

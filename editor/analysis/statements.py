@@ -17,6 +17,7 @@ from minipov.editor.analysis.language import BLOCKS
 from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.scanning import line_break, scan
 from minipov.grammar.braces import mark_loose_braces
+from minipov.grammar.lexer import PUNCTUATION
 
 T = TypeVar("T")
 
@@ -53,7 +54,7 @@ class Statement:
     def marked(self) -> list[Token]:
         """The tokens, with braces marked that have no partner; an edit may have left marks of another state."""
         for token in self.tokens:
-            token.type = token.type.removeprefix("LOOSE_")
+            token.type = _unmarked(token)
         mark_loose_braces(self.tokens)
         return self.tokens
 
@@ -171,6 +172,11 @@ def unchanged(statement: Statement, length: int) -> list[Token]:
     length = min([length, *(problem.start for problem in statement.problems)])
     count = bisect_left(statement.tokens, length, key=lambda token: token.end_pos or 0)
     return [
-        Token.new_borrow_pos(token.type.removeprefix("LOOSE_"), token.value, token) if "LOOSE" in token.type else token
+        Token.new_borrow_pos(_unmarked(token), token.value, token) if token.type.startswith("LOOSE_") else token
         for token in statement.tokens[: max(0, count - 1)]
     ]
+
+
+def _unmarked(token: Token) -> str:
+    """The type that a token has by itself."""
+    return PUNCTUATION[token.value] if token.type.startswith("LOOSE_") else token.type

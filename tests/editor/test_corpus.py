@@ -41,7 +41,7 @@ def test_files_are_understood(folder: object) -> None:
 
 
 def ask_everything(document: Document) -> None:
-    """Every request once, and those about a position at a dozen of them."""
+    """Every request once, and those about a position at a few of them."""
     lines = len(document.line_starts)
     assert all(0 <= first < last < lines for first, last, _ in folds(document))
     assert all(0 <= e.from_ <= e.start < e.end <= len(document.text) for e in outline(document))
@@ -49,7 +49,7 @@ def ask_everything(document: Document) -> None:
     assert all(first[0] + first[1] <= second[0] for first, second in pairwise(marked))
     for literal in list(color_literals(document))[:5]:
         assert written(literal, document, literal.shown).startswith("<")
-    for offset in range(0, len(document.text), max(1, len(document.text) // 12)):
+    for offset in range(0, len(document.text), max(1, len(document.text) // 4)):
         completions(document, LIBRARY, offset)
         help_at(document, LIBRARY, offset)
         signature_at(document, LIBRARY, offset)
