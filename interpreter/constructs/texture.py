@@ -254,4 +254,4 @@ def tiles(reader: ItemReader, context: Context, sink: Sink) -> PatternTexture:
         else:
             unexpected(reader, ("texture", "tile2"))
     first, second = (half or default_texture(context) for half in halves)
-    return PatternTexture(SimplePattern("checker"), TextureList((first, second)))
+    return PatternTexture(SimplePattern("checker"), TextureList((second, first)))

@@ -63,7 +63,7 @@ impl Interpolation {
 }
 
 /// Of four neighbours for a place between the middle two: the cubic that passes through these with their mean slopes.
-fn cubic_weights(t: f64) -> [f64; 4] {
+pub(crate) fn cubic_weights(t: f64) -> [f64; 4] {
     let (square, cube) = (t * t, t * t * t);
     [
         0.5 * (-t + 2.0 * square - cube),

@@ -4,6 +4,7 @@ mod bump_map;
 mod interpolation;
 mod mapping;
 
+pub(crate) use interpolation::cubic_weights;
 pub use interpolation::Interpolation;
 pub use mapping::MapType;
 

@@ -1,9 +1,12 @@
 //! From the scene graph's patterns to those that are evaluated.
 
+use std::sync::Arc;
+
 use super::{
-    Brick, Crackle, Facets, ImagePattern, Modifiers, Pattern, PatternKind, Slope, TurbulenceModifier, Wave,
-    Waveform,
+    Brick, Crackle, DensityFile, Facets, Fractal, ImagePattern, Modifiers, Pattern, PatternKind, Slope,
+    TurbulenceModifier, Wave, Waveform,
 };
+use crate::geometry::Questioned;
 use crate::graph::pattern as graph;
 use crate::graph::pattern::{SimpleKind, WaveKind};
 use crate::graph::texture::MaterialMap;
@@ -85,7 +88,7 @@ impl Builder {
                 1 => PatternKind::Spiral1 { arms: spiral.arms as f64 },
                 _ => PatternKind::Spiral2 { arms: spiral.arms as f64 },
             },
-            graph::Pattern::DensityFile(_) => return self.no_pattern("density_file"),
+            graph::Pattern::DensityFile(file) => PatternKind::DensityFile(DensityFile::new(file)),
             graph::Pattern::Function(pattern) => PatternKind::Function(self.function(&pattern.function)?),
             graph::Pattern::Facets(facets) => PatternKind::Facets(Facets {
                 coords: single(facets.coords),
@@ -95,10 +98,14 @@ impl Builder {
             graph::Pattern::ImageMap(_) => return self.no_pattern("image_map"),
             graph::Pattern::ImagePattern(pattern) => PatternKind::Image(image_pattern(&pattern.mapping)),
             graph::Pattern::BumpMap(bumps) => PatternKind::BumpMap(image_pattern(&bumps.mapping)),
-            graph::Pattern::Fractal(_) => return self.no_pattern("fractal pattern"),
-            graph::Pattern::Object(_) => return self.no_pattern("object pattern"),
+            graph::Pattern::Fractal(fractal) => PatternKind::Fractal(Box::new(Fractal::from(fractal))),
+            graph::Pattern::Object(pattern) => {
+                PatternKind::Object(Arc::new(Questioned::new(&pattern.object)))
+            }
             graph::Pattern::Pavement(_) => return self.no_pattern("pavement"),
-            graph::Pattern::PigmentPattern(_) => return self.no_pattern("pigment_pattern"),
+            graph::Pattern::PigmentPattern(inner) => {
+                PatternKind::Pigment(Box::new(self.pigment(&inner.pigment)))
+            }
             graph::Pattern::Potential(_) => return self.no_pattern("potential"),
             graph::Pattern::Tiling(_) => return self.no_pattern("tiling"),
         })

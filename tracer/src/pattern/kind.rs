@@ -1,11 +1,18 @@
 //! The patterns by kind, and what each says about itself.
 
+use std::sync::Arc;
+
 use super::image_pattern::material_number;
 use super::{blocks, cells, noisy, shells, spirals, surface};
-use super::{Brick, Crackle, Facets, ImagePattern, Modifiers, Slope, SurfaceContext, Wave, WaveSources};
+use super::{
+    Brick, Crackle, DensityFile, Facets, Fractal, ImagePattern, Modifiers, Slope, SurfaceContext, Wave,
+    WaveSources,
+};
 use crate::function::Function;
+use crate::geometry::Questioned;
 use crate::image::ImageMapping;
 use crate::math::Vec3;
+use crate::texture::Pigment;
 
 /// A pattern's keyword and its own parameters.
 #[derive(Clone, Debug)]
@@ -28,6 +35,7 @@ pub enum PatternKind {
     Crackle(Crackle),
     Cubic,
     Cylindrical,
+    DensityFile(DensityFile),
     Dents,
     Function(Function),
     /// For normals only.
@@ -35,13 +43,18 @@ pub enum PatternKind {
     /// The direction, of length one.
     Gradient(Vec3),
     Granite,
+    Fractal(Box<Fractal>),
     Hexagon,
     Image(Box<ImagePattern>),
     Leopard,
     Marble,
     /// `material_map`.
     Material(Box<ImageMapping>),
+    /// Whether a point is inside an object.
+    Object(Arc<Questioned>),
     Onion,
+    /// The grey value of a pigment.
+    Pigment(Box<Pigment>),
     Planar,
     Quilted {
         control0: f64,
@@ -82,16 +95,20 @@ impl PatternKind {
             PatternKind::Crackle(crackle) => crackle.value(p, generator),
             PatternKind::Cubic => blocks::cubic(p),
             PatternKind::Cylindrical => shells::fading(p.x.hypot(p.z)),
+            PatternKind::DensityFile(file) => file.value(p),
             PatternKind::Dents => noisy::dents(p, generator),
             PatternKind::Function(function) => function.at(p),
             PatternKind::Gradient(direction) => shells::wrapped(p.dot(*direction)),
+            PatternKind::Fractal(fractal) => fractal.value(p),
             PatternKind::Granite => noisy::granite(p, generator),
             PatternKind::Hexagon => blocks::hexagon(p),
             PatternKind::Image(image) => image.value(p),
             PatternKind::Leopard => shells::leopard(p),
             PatternKind::Marble => shells::marble(p, modifiers),
             PatternKind::Material(mapping) => material_number(mapping, p),
+            PatternKind::Object(object) => f64::from(object.inside(p)),
             PatternKind::Onion => p.length() % 1.0,
+            PatternKind::Pigment(pigment) => pigment.color(p, surface).rgb.gray(),
             PatternKind::Planar => shells::fading(p.y.abs()),
             PatternKind::Quilted { control0, control1 } => shells::quilted(p, *control0, *control1),
             PatternKind::Radial => shells::radial(p),
@@ -127,6 +144,7 @@ impl PatternKind {
                 | PatternKind::Cubic
                 | PatternKind::Hexagon
                 | PatternKind::Material(_)
+                | PatternKind::Object(_)
                 | PatternKind::Square
                 | PatternKind::Triangular
         )

@@ -23,6 +23,8 @@ const AGATE: [(f64, Rgb); 6] = [
 ];
 const BOZO: [(f64, Rgb); 6] =
     [(0.4, Rgb::WHITE), (0.4, GREEN), (0.6, GREEN), (0.6, BLUE), (0.8, BLUE), (0.8, RED)];
+const MANDEL: [(f64, Rgb); 5] =
+    [(0.001, Rgb::BLACK), (0.001, CYAN), (0.012, YELLOW), (0.015, MAGENTA), (0.1, CYAN)];
 const MARBLE: [(f64, Rgb); 3] = [(0.0, rgb(0.9, 0.8, 0.8)), (0.9, rgb(0.9, 0.08, 0.08)), (0.9, Rgb::BLACK)];
 const RADIAL: [(f64, Rgb); 4] = [(0.0, CYAN), (0.333, YELLOW), (0.666, MAGENTA), (1.0, CYAN)];
 const WOOD: [(f64, Rgb); 2] = [(0.6, rgb(0.666, 0.312, 0.2)), (0.6, rgb(0.4, 0.1333, 0.066))];
@@ -37,6 +39,7 @@ pub fn color_map(kind: &PatternKind) -> ColorMap {
     let entries: &[(f64, Rgb)] = match kind {
         PatternKind::Agate { .. } => &AGATE,
         PatternKind::Bozo => &BOZO,
+        PatternKind::Fractal(fractal) if fractal.is_plain_mandel() => &MANDEL,
         PatternKind::Marble => &MARBLE,
         PatternKind::Radial => &RADIAL,
         PatternKind::Wood => &WOOD,

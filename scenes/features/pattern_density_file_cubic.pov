@@ -1,8 +1,8 @@
-// Voxels of a density file
+// Voxels interpolated by cubics
 // class: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }
-#declare Shown = texture { pigment { density_file df3 "../images/cloud.df3" interpolate 1 color_map { [0 rgb <0.1, 0.1, 0.3>] [0.5 rgb <0.8, 0.4, 0.2>] [1 rgb <1, 0.9, 0.6>] } scale 2 translate -1 } }
+#declare Shown = texture { pigment { density_file df3 "images/cloud.df3" interpolate 2 color_map { [0 rgb <0.1, 0.1, 0.3>] [0.5 rgb <0.8, 0.4, 0.2>] [1 rgb <1, 0.9, 0.6>] } scale 2 translate -1 } }
 
 camera { location <1.3, 1.9, -5.2> look_at <0.15, 0, 0> angle 42 }
 light_source { <-4, 7, -8>, rgb 1 }
