@@ -34,8 +34,11 @@ pub enum Normal {
     /// The pattern's number picks a normal.
     Blocks(Arc<(Pattern, Vec<Normal>, NormalScale)>),
     /// `average`: the weighted mean of normals.
-    Average(Arc<(Modifiers, Vec<(f64, Normal)>, NormalScale)>),
+    Average(Arc<(Modifiers, Weighted, NormalScale)>),
 }
+
+/// Normals with their weights.
+type Weighted = Vec<(f64, Normal)>;
 
 /// Bumps estimated from samples.
 #[derive(Clone, Debug)]
