@@ -262,7 +262,9 @@ class Builder(Transformer[Token, Any]):
         parameters = c[3]
         names = tuple(name for _, name in parameters)
         optional = tuple(flag for flag, _ in parameters)
-        return tree.Macro(c[0].line, c[0].column, str(c[1]), names, optional, _items(c[5:-1]))
+        return tree.Macro(
+            c[0].line, c[0].column, str(c[1]), names, optional, _items(c[5:-1]), (c[4].end_pos, c[-1].start_pos)
+        )
 
     # --- other directives ---
 

@@ -342,6 +342,8 @@ class Macro(Node):
     parameters: tuple[str, ...]
     optional: tuple[bool, ...]
     items: tuple[Item, ...]
+    span: tuple[int, int] = (0, 0)
+    """Where in the text the items begin and end."""
 
 
 @dataclass(frozen=True, slots=True)

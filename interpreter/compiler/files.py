@@ -32,6 +32,7 @@ class FileBody(Directives):
             self.emit.constant(_least(node)),
             self.emit.name(name),
             self.emit.constant(body.returns),
+            self.emit.constant(node.span),
         )
 
     def statements_alike(self, node: tree.Statements) -> None:

@@ -139,10 +139,24 @@ class FunctionLiterals(Calls):
         arguments = self._expressions(items)
         if arguments is None:
             return self._refused("expected expressions between commas", node)
-        callee = self.expression(of)
+        called = self.unit.unique("m")
+        callee = self.emit.named(called, self.expression(of))
         codes = [self._body(argument, scope) for argument in arguments]
+        cells = [self._macro_argument(argument) for argument in arguments]
+        names = None if "v" in scope and scope.get("y") == scope["v"] else tuple(dict.fromkeys(scope))
         self.emit.at(node)
-        return self.emit.call("function_call", callee, self.emit.tuple(codes), self.emit.constant(component))
+        m = self.emit.name(called)
+        is_macro = self.emit.compare(self.emit.attribute(callee, "__class__"), ast.Is(), self.emit.name("Macro"))
+        function = self.emit.call("function_call", m, self.emit.tuple(codes), self.emit.constant(component))
+        parameters = self.emit.constant(names)
+        macro = self.emit.call("macro_in_function", m, self.emit.list(cells), parameters, self.place(node))
+        return self.emit.conditional(is_macro, macro, function)
+
+    def _macro_argument(self, argument: tree.Expression) -> ast.expr:
+        """An argument as a macro takes it; in a function, no parameters can be among these."""
+        if isinstance(argument, tree.Name):
+            return self.emit.at(argument).call(self.emit.attribute(self.symbol(argument.name), "ref"))
+        return self.emit.at(argument).call("Cell", self.expression(argument))
 
     def _expressions(self, items: Sequence[tree.Item]) -> list[tree.Expression] | None:
         groups = argument_groups(items)

@@ -10,6 +10,7 @@ from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import Item, Punctuation, Sink, Word
 from minipov.interpreter.runtime import calls, dictionaries, evaluate, operators, pending, splice  # noqa: F401
 from minipov.interpreter.runtime.builtins import BUILTINS
+from minipov.interpreter.runtime.function_macros import macro_in_function
 from minipov.interpreter.runtime.macros import MISSING, Macro
 from minipov.interpreter.runtime.names import Cell, FixedCell, Symbol, global_cell
 from minipov.interpreter.runtime.program import Running
@@ -143,11 +144,11 @@ def library(running: Running) -> dict[str, Any]:
             else:
                 running.write_file(symbol, item, binary)
 
-    def define_macro(symbol: Symbol, parameters: tuple[str, ...], least: int, function: Any, returns: bool) -> None:
+    def define_macro(symbol: Symbol, parameters: tuple[str, ...], *compiled: Any) -> None:
         if symbol.declared and not isinstance(symbol.c.v, Macro):
             raise SdlError(f"'{symbol.name}' is declared already", hint=f"it is {kind_of(symbol.c.v)}; #undef it first")
         symbols = tuple(running.names[parameter] for parameter in parameters)
-        symbol.c = FixedCell(symbol.name, Macro(symbol.name, parameters, symbols, least, function, returns, blocks))
+        symbol.c = FixedCell(symbol.name, Macro(symbol.name, parameters, symbols, blocks, *compiled))
 
     def run_statements(*what: Any) -> None:
         from minipov.interpreter.runtime.alike import Alike  # few scenes need it
@@ -173,6 +174,7 @@ def library(running: Running) -> dict[str, Any]:
     names |= {
         "open_block": blocks.open,
         "run_statements": run_statements,
+        "macro_in_function": partial(macro_in_function, running),
         "close_block": blocks.close,
         "open_brace": blocks.open_brace,
         "open_bracket": blocks.open_bracket,

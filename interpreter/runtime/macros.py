@@ -45,6 +45,7 @@ class Macro:
         "returns",
         "run",
         "single",
+        "span",
         "symbols",
         "value",
     )
@@ -55,10 +56,11 @@ class Macro:
         name: str,
         parameters: tuple[str, ...],
         symbols: tuple[Symbol, ...],
+        blocks: Blocks,
         least: int,
         function: Callable[..., Any],
         returns: bool,
-        blocks: Blocks,
+        span: tuple[int, int],
     ) -> None:
         self.name = name
         self.parameters = parameters
@@ -67,6 +69,7 @@ class Macro:
         self.least = least
         self.function = function
         self.returns = returns
+        self.span = span
         self.blocks = blocks
         self.value: Callable[..., Any] = function if returns else self._captured
         self.single: Callable[..., Any] = partial(function, open=False) if returns else self._gathered

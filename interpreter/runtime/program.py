@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from minipov.grammar.lexer import decode
 from minipov.interpreter.arrays import same_kind
 from minipov.interpreter.constructs.default import set_version
 from minipov.interpreter.context import Context
@@ -58,8 +59,11 @@ class Running:
         known[1]()
 
     def _bound(self, name: str, content: bytes) -> Callable[[], None]:
-        program = self.load(name, content)
-        self.sources[name] = content.decode("utf-8", "replace")
+        self.sources[name] = decode(content)
+        return self.bound(name, self.load(name, content))
+
+    def bound(self, name: str, program: Any) -> Callable[[], None]:
+        """A compiled file as a function that runs it."""
         namespace = {**self.library, MARK: name}
         namespace.update((f"s_{symbol}", self.names[symbol]) for symbol in program.symbols)
         namespace.update((f"k{number}", value) for number, value in enumerate(program.revived()))

@@ -17,7 +17,7 @@ def short(node: Any) -> str:
         return "[" + " ".join(short(n) for n in node) + "]"
     if not is_dataclass(node):
         return repr(node)
-    hidden = {"line", "column", "end_line", "end_column"}
+    hidden = {"line", "column", "end_line", "end_column", "span"}
     parts = [short(getattr(node, f.name)) for f in fields(node) if f.name not in hidden]
     match node:
         case tree.Number(value=value):
