@@ -199,9 +199,9 @@ impl Primitive for BicubicPatch {
         self.tiles[crossing.part as usize].facet.normal()
     }
 
-    /// The corners stand at (0,0), (1,0), (1,1), (0,1).
+    /// The corners stand at (0,0), (1,0), (1,1), (0,1), the first way along the rows of points.
     fn uv(&self, _: Vec3, crossing: &Crossing) -> Option<[f64; 2]> {
-        let [u, v] = self.place(crossing);
+        let [v, u] = self.place(crossing);
         let [a, b, c, d] = self.uv_vectors;
         let mix = |k: usize| {
             a[k] * (1.0 - u) * (1.0 - v) + b[k] * u * (1.0 - v) + c[k] * u * v + d[k] * (1.0 - u) * v

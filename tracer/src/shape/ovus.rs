@@ -3,10 +3,8 @@
 //! The lower ball stands at the origin, the upper one at the height of the lower one's radius (3.8: `distance`); an arc
 //! of twice the larger radius (3.8: `radius`) touches both from outside. An upper ball that holds all the rest is a ball.
 
-use std::f64::consts::{FRAC_PI_2, PI};
-
 use super::arc::Arc;
-use super::sphere::longitude;
+use super::sphere::spherical_uv;
 use super::{offer_rising, Crossing, Primitive};
 use crate::accel::Counters;
 use crate::graph::shapes::Ovus as Description;
@@ -128,9 +126,9 @@ impl Primitive for Ovus {
         }
     }
 
-    /// u runs around y from x, v from the bottom to the top by the angle at the centre of the part.
-    fn uv(&self, p: Vec3, crossing: &Crossing) -> Option<[f64; 2]> {
-        let n = self.normal(p, crossing).normalized();
-        Some([longitude(p), (n.y.clamp(-1.0, 1.0).asin() + FRAC_PI_2) / PI])
+    /// Longitude and latitude as seen from the middle of its height.
+    fn uv(&self, p: Vec3, _: &Crossing) -> Option<[f64; 2]> {
+        let bounds = self.bounds();
+        Some(spherical_uv(p - Vec3::Y * (0.5 * (bounds.min.y + bounds.max.y))))
     }
 }
