@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Final
 
-from minipov.interpreter.constructs.common import Field, integer, number, read_fields, switch, vector
+from minipov.interpreter.constructs.common import Field, integer, number, read_fields, switch
 from minipov.interpreter.constructs.patterns import FUNCTION_TYPES
 from minipov.interpreter.constructs.shape import shape
 from minipov.interpreter.context import Context
@@ -14,7 +14,7 @@ from minipov.interpreter.registry import construct
 from minipov.tracer.function import Function
 from minipov.tracer.objects import Object, Shape
 from minipov.tracer.shapes import Box, Isosurface, JuliaFractal, Parametric, Sphere
-from minipov.tracer.values import Vec2
+from minipov.tracer.values import Vec2, Vec3
 
 MOST_HITS: Final = 10
 MOST_PRECOMPUTED: Final = 20
@@ -56,11 +56,20 @@ def _read_parameters(reader: ItemReader, table: dict[str, Field]) -> dict[str, A
         said["contained_by"] = container
 
 
+def _evaluate(reader: ItemReader) -> Vec3:
+    """Three numbers: the least gradient, by how much what is found is overestimated, how fast that is forgotten."""
+    least = reader.float()
+    reader.comma()
+    overestimation = reader.float()
+    reader.comma()
+    return (least, overestimation, reader.float())
+
+
 ISOSURFACE_FIELDS: Final[dict[str, Field]] = {
     "threshold": number("threshold"),
     "accuracy": number("accuracy"),
     "max_gradient": number("max_gradient"),
-    "evaluate": vector("evaluate"),
+    "evaluate": lambda reader: {"evaluate": _evaluate(reader)},
     "open": switch("open"),
     "max_trace": lambda reader: {"max_trace": min(max(reader.integer(), 1), MOST_HITS)},
     "all_intersections": lambda reader: {"max_trace": MOST_HITS, "all_intersections": True},

@@ -9,7 +9,7 @@ use super::{Crossing, Primitive};
 use crate::accel::Counters;
 use crate::function::Function;
 use crate::graph::shapes as graph;
-use crate::math::{Bounds, Ray, Vec3};
+use crate::math::{vec3, Bounds, Ray, Vec3};
 
 /// The part number of the surface itself; the container's parts come after it.
 const SURFACE: u32 = 0;
@@ -17,6 +17,8 @@ const SURFACE: u32 = 0;
 const STEP_BEHIND: f64 = 5.0;
 /// A ray that starts where the function is this many accuracies times gradients from 0 starts on the surface.
 const ON_SURFACE: f64 = 4.0;
+/// `evaluate` measures the gradient at so many places along each axis.
+const MEASURED: u32 = 24;
 /// Shorter pieces are not halved, whatever the accuracy.
 const SHORTEST: f64 = 1e-12;
 
@@ -30,12 +32,14 @@ pub struct Isosurface {
     max_gradient: f64,
     open: bool,
     max_trace: usize,
+    /// 1, or -1 where `polarity` says that larger values are inside.
+    polarity: f64,
 }
 
 impl Isosurface {
     /// With its function compiled.
     pub fn new(node: &graph::Isosurface, function: Function) -> Isosurface {
-        Isosurface {
+        let mut surface = Isosurface {
             function,
             container: Container::from(&node.contained_by),
             threshold: node.threshold,
@@ -43,13 +47,47 @@ impl Isosurface {
             max_gradient: node.max_gradient,
             open: node.open,
             max_trace: node.max_trace.max(1) as usize,
+            polarity: if node.polarity { -1.0 } else { 1.0 },
+        };
+        // POV-Ray learns the gradient from ray to ray; here it is measured once, so that no order of rays matters.
+        if let Some(Vec3 { x: least, y: overestimation, .. }) = node.evaluate {
+            surface.max_gradient = least.max(surface.steepest_measured() * overestimation.max(1.0));
         }
+        surface
+    }
+
+    /// The largest gradient on a grid in the container.
+    fn steepest_measured(&self) -> f64 {
+        let Bounds { min, max } = self.container.bounds();
+        let cell = (max - min) / f64::from(MEASURED);
+        let step = self.accuracy.max(SHORTEST);
+        let mut steepest = 0.0_f64;
+        for i in 0..MEASURED.pow(3) {
+            let index = vec3(
+                f64::from(i % MEASURED),
+                f64::from(i / MEASURED % MEASURED),
+                f64::from(i / MEASURED / MEASURED),
+            );
+            let point = min + cell.mul_each(index + Vec3::splat(0.5));
+            let gradient = self.rise(point, step) / step;
+            if self.container.inside(point) && gradient.is_finite() {
+                steepest = steepest.max(gradient.length());
+            }
+        }
+        steepest
+    }
+
+    /// By how much the height rises over a step along each axis.
+    fn rise(&self, point: Vec3, step: f64) -> Vec3 {
+        let here = self.height(point);
+        let rise = |axis: Vec3| self.height(point + axis * step) - here;
+        vec3(rise(Vec3::X), rise(Vec3::Y), rise(Vec3::Z))
     }
 
     /// The function above its threshold: negative inside.
     #[inline]
     fn height(&self, p: Vec3) -> f64 {
-        self.function.at(p) - self.threshold
+        (self.function.at(p) - self.threshold) * self.polarity
     }
 }
 
@@ -179,9 +217,7 @@ impl Primitive for Isosurface {
                 .container
                 .normal(point, &Crossing { part: crossing.part - SURFACE - 1, ..*crossing });
         }
-        let here = self.function.at(point);
-        let rise = |axis: Vec3| self.function.at(point + axis * self.accuracy) - here;
-        let normal = Vec3 { x: rise(Vec3::X), y: rise(Vec3::Y), z: rise(Vec3::Z) };
+        let normal = self.rise(point, self.accuracy);
         if normal == Vec3::ZERO || !normal.is_finite() {
             return Vec3::X;
         }
