@@ -39,6 +39,9 @@ class Body(ABC):
     gathering = False
     """Whether what is pushed are parts of one expression: ``(1 #if (A) + 2 #end)``."""
 
+    opens = False
+    """Whether what is pushed here may be open terms, as the function's variable ``open`` says."""
+
     def __init__(self, unit: Unit, parameters: Sequence[str] = (), local_names: Iterable[str] = ()) -> None:
         self.unit = unit
         self.emit = Emitter()
@@ -62,6 +65,16 @@ class Body(ABC):
             yield self.statements
         finally:
             self.statements = outer
+
+    @contextmanager
+    def inside(self, *, gathering: bool) -> Iterator[None]:
+        """Items inside brackets, which are no part of what the function leaves."""
+        outer = self.gathering, self.opens
+        self.gathering, self.opens = gathering, False
+        try:
+            yield
+        finally:
+            self.gathering, self.opens = outer
 
     def add(self, statement: ast.stmt) -> None:
         """One more statement."""

@@ -199,9 +199,8 @@ class Expressions(Body):
         """The variable of a sink into which ``items`` went."""
         self.emit.at(node)
         sink = self.kept(self.emit.call("collect", self.emit.constant(name), self.place(node)), "sink")
-        outer, self.gathering = self.gathering, name in ("<", "(", "call")
-        self.items(items)
-        self.gathering = outer
+        with self.inside(gathering=name in ("<", "(", "call")):
+            self.items(items)
         self.do("collected", self.emit.name(sink))
         return sink
 

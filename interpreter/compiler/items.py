@@ -26,9 +26,6 @@ class Run:
 class Items(FunctionLiterals):
     """Compiles sequences of items into statements that push them."""
 
-    opens = False
-    """Whether the function has a variable ``open`` that asks for open terms."""
-
     def directive(self, items: Sequence[tree.Item], at: int) -> int:
         """Statements for the directive ``items[at]``; gives the index after it (and after a declaration's value)."""
         raise NotImplementedError
@@ -94,7 +91,8 @@ class Items(FunctionLiterals):
         """``name { ... }``."""
         self.emit.at(word)
         self.do("open_block", self.emit.constant(name), self.place(word))
-        self.items(block.items)
+        with self.inside(gathering=False):
+            self.items(block.items)
         self._close(block)
 
     def _close(self, block: tree.Block) -> None:
@@ -132,7 +130,8 @@ class Items(FunctionLiterals):
             case tree.Block(items=items):
                 self.emit.at(item)
                 self.do("open_brace", self.place(item))
-                self.items(items)
+                with self.inside(gathering=False):
+                    self.items(items)
                 self._close(item)
             case tree.LooseBrace(opening=opening):
                 self.emit.at(item)
@@ -146,7 +145,8 @@ class Items(FunctionLiterals):
             case tree.Bracket(items=items):
                 self.emit.at(item)
                 self.do("open_bracket", self.place(item))
-                self.items(items)
+                with self.inside(gathering=False):
+                    self.items(items)
                 self.emit.at(item)
                 self.do("close_bracket", self.place(item))
             case _:
