@@ -32,15 +32,23 @@ const fn shuffled() -> [u16; SIZE] {
 /// The cell of one coordinate: hash input of its lower and upper corner, and the place within.
 #[inline(always)]
 fn cell(x: f64) -> ([usize; 2], f64) {
-    let floor = x.floor();
-    let i = (floor as i64).wrapping_add(SHIFT);
-    ([(i & MASK) as usize, ((i + 1) & MASK) as usize], x - floor)
+    // Not `floor`, which is a call of a library on processors that are not told to be recent.
+    let toward_zero = x as i64;
+    let floor = toward_zero - i64::from(x < toward_zero as f64);
+    let i = floor.wrapping_add(SHIFT);
+    ([(i & MASK) as usize, (i.wrapping_add(1) & MASK) as usize], x - floor as f64)
+}
+
+/// The place of a number in the shuffle; the mask changes nothing, but saves a check.
+#[inline(always)]
+fn permuted(i: usize) -> usize {
+    PERMUTATION[i & MASK as usize] as usize
 }
 
 /// 12 bits for a lattice column.
 #[inline(always)]
 fn hash2(ix: usize, iy: usize) -> usize {
-    PERMUTATION[PERMUTATION[ix] as usize ^ iy] as usize
+    permuted(permuted(ix) ^ iy)
 }
 
 #[inline(always)]
@@ -57,7 +65,7 @@ fn for_corners(p: Vec3, mut corner: impl FnMut(f64, &[f64; REACH], Vec3)) {
         for (dy, wy) in [(0, 1.0 - sy), (1, sy)] {
             let column = hash2(ix[dx], iy[dy]);
             for (dz, wz) in [(0, 1.0 - sz), (1, sz)] {
-                let start = (PERMUTATION[column ^ iz[dz]] & 0xff) as usize;
+                let start = permuted(column ^ iz[dz]) & 0xff;
                 let owned = COEFFICIENTS[start..start + REACH].first_chunk().expect("REACH long");
                 corner(wx * wy * wz, owned, vec3(x - dx as f64, y - dy as f64, z - dz as f64));
             }
@@ -90,5 +98,5 @@ pub fn vector_noise(p: Vec3) -> Vec3 {
 #[inline]
 pub fn hash3(ix: i64, iy: i64, iz: i64) -> u16 {
     let wrap = |i: i64| (i & MASK) as usize;
-    PERMUTATION[hash2(wrap(ix), wrap(iy)) ^ wrap(iz)]
+    permuted(hash2(wrap(ix), wrap(iy)) ^ wrap(iz)) as u16
 }

@@ -1,8 +1,20 @@
 //! SDL: `crackle form <a,b,c> metric F offset F solid`: cells around one random point per unit cube.
 
+use std::sync::LazyLock;
+
 use super::cells::{point_in_cube, TOLERANCE};
 use crate::math::{vec3, Vec3};
 use crate::noise::NoiseGenerator;
+
+/// Steps to the cube itself and to the neighbours that may hold a near point, those nearest first: all up to two steps
+/// away, but for those two steps away along more than one axis.
+static CUBES: LazyLock<Vec<[i8; 3]>> = LazyLock::new(|| {
+    let steps = (0..125_i8).map(|i| [i / 25 - 2, i / 5 % 5 - 2, i % 5 - 2]);
+    let far = |cube: &[i8; 3]| cube.iter().filter(|step| step.abs() == 2).count();
+    let mut cubes: Vec<_> = steps.filter(|cube| far(cube) <= 1).collect();
+    cubes.sort_by_key(|cube| cube.iter().map(|step| step * step).sum::<i8>());
+    cubes
+});
 
 /// Parameters of `crackle`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,26 +64,31 @@ impl Crackle {
     pub(super) fn value(&self, p: Vec3, generator: NoiseGenerator) -> f64 {
         let c = p.map(|v| (v - TOLERANCE).floor());
         let (x, y, z) = (c.x as i64, c.y as i64, c.z as i64);
+        // How many of the nearest points count, so that cubes beyond the last of them need not be asked.
+        let counted = if self.solid {
+            1
+        } else if self.form.z == 0.0 {
+            2
+        } else {
+            3
+        };
+        let gaps = [p.x - c.x, p.y - c.y, p.z - c.z].map(|f| [f + 1.0, f, 0.0, 1.0 - f, 2.0 - f]);
         let mut nearest = [f64::INFINITY; 3];
         let mut center = p;
-        for dx in -2..=2_i64 {
-            for dy in -2..=2_i64 {
-                for dz in -2..=2_i64 {
-                    // Cubes two steps away along more than one axis hold no near point.
-                    if i32::from(dx.abs() == 2) + i32::from(dy.abs() == 2) + i32::from(dz.abs() == 2) > 1 {
-                        continue;
-                    }
-                    let point = point_in_cube(x + dx, y + dy, z + dz);
-                    let rank = self.rank(point - p);
-                    if rank < nearest[0] {
-                        nearest = [rank, nearest[0], nearest[1]];
-                        center = point;
-                    } else if rank < nearest[1] {
-                        nearest = [nearest[0], rank, nearest[1]];
-                    } else if rank < nearest[2] {
-                        nearest[2] = rank;
-                    }
-                }
+        for &[dx, dy, dz] in &*CUBES {
+            let gap = |axis: usize, step: i8| gaps[axis][(step + 2) as usize];
+            if self.rank(vec3(gap(0, dx), gap(1, dy), gap(2, dz))) > nearest[counted - 1] {
+                continue;
+            }
+            let point = point_in_cube(x + i64::from(dx), y + i64::from(dy), z + i64::from(dz));
+            let rank = self.rank(point - p);
+            if rank < nearest[0] {
+                nearest = [rank, nearest[0], nearest[1]];
+                center = point;
+            } else if rank < nearest[1] {
+                nearest = [nearest[0], rank, nearest[1]];
+            } else if rank < nearest[2] {
+                nearest[2] = rank;
             }
         }
         if self.solid {
