@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Final
 
-from minipov.grammar import directive_words, function_words, other_words
+from minipov.grammar import function_words, other_words
+from minipov.grammar.directive_words import DIRECTIVES as DIRECTIVE_LINES
 
 
 class Kind(Enum):
@@ -66,5 +67,5 @@ def _directive_table(lines: str) -> dict[str, tuple[str, str]]:
     return {name: (form, doc) for names, form, doc in rows for name in names.split()}
 
 
-DIRECTIVES: Final[dict[str, tuple[str, str]]] = _directive_table(directive_words.DIRECTIVES)
+DIRECTIVES: Final[dict[str, tuple[str, str]]] = _directive_table(DIRECTIVE_LINES)
 """The words that may follow ``#``, each with how it is written and what it does."""
