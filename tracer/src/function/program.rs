@@ -97,39 +97,38 @@ pub struct Site<R = u16> {
 pub struct Program {
     pub(super) steps: Vec<Step>,
     pub(super) sites: Vec<Site>,
-    /// What stands in the registers at the start: room for the arguments, then the constants.
+    /// What stands in the registers at the start: room for the arguments, the constants, then zeros; as long as one of
+    /// `SIZES`.
     pub(super) start: Vec<f64>,
     pub(super) arguments: usize,
-    /// How many registers there are.
-    pub(super) registers: usize,
     pub(super) result: u16,
 }
 
-/// As many registers as a 16-bit number can name.
-const MOST_REGISTERS: usize = 1 << 16;
+/// How many registers there can be: powers of two, up to what a 16-bit number can name.
+pub(super) const SIZES: [usize; 4] = [16, 64, 512, 1 << 16];
 
 impl Program {
     /// The value for these arguments; missing ones are 0.
     #[inline]
     pub fn value(&self, arguments: &[f64]) -> f64 {
-        match self.registers {
-            0..=16 => self.run(&mut [0.0; 16], arguments),
-            17..=64 => self.run(&mut [0.0; 64], arguments),
-            65..=512 => self.run(&mut [0.0; 512], arguments),
-            _ => {
-                let registers = vec![0.0; MOST_REGISTERS].into_boxed_slice();
-                let mut registers: Box<[f64; MOST_REGISTERS]> = registers.try_into().expect("as many");
-                self.run(&mut registers, arguments)
-            }
+        if let Ok(start) = <[f64; SIZES[0]]>::try_from(&self.start[..]) {
+            return self.run(&mut { start }, arguments);
         }
+        if let Ok(start) = <[f64; SIZES[1]]>::try_from(&self.start[..]) {
+            return self.run(&mut { start }, arguments);
+        }
+        if let Ok(start) = <[f64; SIZES[2]]>::try_from(&self.start[..]) {
+            return self.run(&mut { start }, arguments);
+        }
+        let start: Result<Box<[f64; SIZES[3]]>, _> = self.start.clone().into_boxed_slice().try_into();
+        start.map_or(0.0, |mut registers| self.run(&mut registers, arguments))
     }
 
     /// Runs in `N` registers, a power of two, so that masking a number to stay below it costs nothing.
     fn run<const N: usize>(&self, registers: &mut [f64; N], arguments: &[f64]) -> f64 {
-        let known = self.start.len().min(N);
-        registers[..known].copy_from_slice(&self.start[..known]);
-        let given = arguments.len().min(self.arguments).min(N);
-        registers[..given].copy_from_slice(&arguments[..given]);
+        for (register, &argument) in registers.iter_mut().zip(arguments.iter().take(self.arguments)) {
+            *register = argument;
+        }
         macro_rules! at {
             ($r:expr) => {
                 registers[$r as usize & (N - 1)]

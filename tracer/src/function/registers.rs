@@ -1,7 +1,7 @@
 //! Numbered values share registers: each stands in one from the step that makes it to the last that uses it.
 
 use super::compile::{Compiler, Value};
-use super::program::{Site, Step};
+use super::program::{Site, Step, SIZES};
 use super::Program;
 
 /// The finished program, or None if it needs more registers than a number can name.
@@ -54,7 +54,8 @@ pub fn assign(compiler: Compiler, result: Value) -> Option<Program> {
         })
         .collect();
     let steps = steps.iter().map(|step| renamed(step, of)).collect();
-    Some(Program { steps, sites, start, arguments, registers: used, result: of(result) })
+    start.resize(SIZES.into_iter().find(|&size| size >= used)?, 0.0);
+    Some(Program { steps, sites, start, arguments, result: of(result) })
 }
 
 /// First and last step at which a value must stand in its register.
