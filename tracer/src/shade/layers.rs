@@ -131,7 +131,7 @@ impl Tracer<'_> {
                 }
             }
             filter = filter.mul_each(passes);
-            through = filter.max_element().min(1.0);
+            through = filter.map(f64::abs).max_element().min(1.0);
         }
         let totally = through > scene.adc_bailout
             && self.seen_through(spot, top_normal, filter, weight * through, top, &mut seen);
