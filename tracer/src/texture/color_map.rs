@@ -23,10 +23,14 @@ impl<T> BlendMap<T> {
 
     /// The two entries around `value` and how far `value` lies between them, 0..=1.
     ///
-    /// Below the first entry it is the first, above the last the last; at equal entries the first counts.
+    /// Below the first entry it is the first, from the last on the last; else at equal entries the first counts.
     #[inline]
     pub fn around(&self, value: f64) -> (&T, &T, f64) {
         let entries = &self.0[..];
+        let last = &entries[entries.len() - 1];
+        if value >= last.0 {
+            return (&last.1, &last.1, 0.0);
+        }
         let above = entries.iter().position(|e| value <= e.0);
         match above {
             Some(0) => (&entries[0].1, &entries[0].1, 0.0),
@@ -34,10 +38,7 @@ impl<T> BlendMap<T> {
                 let ((low, a), (high, b)) = (&entries[i - 1], &entries[i]);
                 (a, b, (value - low) / (high - low))
             }
-            None => {
-                let last = &entries[entries.len() - 1].1;
-                (last, last, 0.0)
-            }
+            None => (&last.1, &last.1, 0.0),
         }
     }
 }
