@@ -89,7 +89,9 @@ def picture_name(name: str, side: str) -> str:
 
 def _judge(made: Rendering, expected: Rendering) -> tuple[Verdict, Metrics | None, str]:
     if expected.picture is None:
-        crashed = made.status == "timeout" or "signal" in made.message
+        # A scene that keeps POV-Ray busy beyond its time may keep us busy too.
+        hangs = made.status == "timeout" and expected.status != "timeout"
+        crashed = hangs or "signal" in made.message
         return ("failed", None, made.message) if crashed else ("no reference", None, expected.message)
     if made.picture is None:
         return "failed", None, made.message
