@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from minipov.interpreter.context import current_context
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.items import FunctionImage, Sink, Word, complete
 from minipov.interpreter.runtime.splines import evaluate
@@ -85,7 +86,8 @@ def compiled_function(function: Function) -> Any:
     from minipov.tracer import _core
 
     try:
-        compiled = _core.Function(function)
+        settings = current_context().scene.settings
+        compiled = _core.Function(function, settings.noise_generator, settings.number_of_waves)
     except ValueError as error:
         raise SdlError(str(error)) from None
     _cache[id(function)] = (function, compiled)
