@@ -24,7 +24,7 @@ pub struct Arc {
 impl Arc {
     /// The largest distance from the axis and the heights.
     pub fn bounds(&self) -> Bounds {
-        let reach = self.reach(self.height.clamp(self.low, self.high));
+        let reach = self.reach(self.height.max(self.low).min(self.high));
         Bounds { min: vec3(-reach, self.low, -reach), max: vec3(reach, self.high, reach) }
     }
 

@@ -102,14 +102,13 @@ impl Primitive for Sor {
                 continue;
             }
             // x² + z² less the squared radius at height y + t d.y.
-            let [f, g, h, k] = piece.square;
+            let [_, g, h, k] = piece.square;
             let cubic = [
                 o.x * o.x + o.z * o.z - value(&piece.square, y),
                 2.0 * (o.x * d.x + o.z * d.z) - d.y * (g + y * (2.0 * h + 3.0 * k * y)),
                 d.x * d.x + d.z * d.z - d.y * d.y * (h + 3.0 * k * y),
                 -k * d.y * d.y * d.y,
             ];
-            debug_assert!(f.is_finite());
             for &t in roots_within::<5>(&cubic, enter, leave).iter() {
                 let t = (t + start) / scale;
                 if t > from && t <= limit {
