@@ -7,7 +7,13 @@ use crate::shape::{Primitive, Shape};
 
 /// Extent of a primitive in its place.
 pub fn of_primitive(shape: &Shape, place: Option<&Transform>, inverse: bool) -> Extent {
-    let placed = |bounds: Bounds| place.map_or(bounds, |place| bounds.transformed(place));
+    let placed = |bounds: Bounds| match (shape, place) {
+        (Shape::Sphere(sphere), Some(place)) => {
+            sphere.bounds_in(place).unwrap_or_else(|| bounds.transformed(place))
+        }
+        (_, Some(place)) => bounds.transformed(place),
+        (_, None) => bounds,
+    };
     let (surface, inside) = (placed(shape.bounds()), placed(shape.solid_bounds()));
     let (solid, hollow) = match (shape.solid(), inverse) {
         (false, _) => (Bounds::EMPTY, Bounds::INFINITE),

@@ -7,9 +7,9 @@ use crate::graph;
 use crate::math::{Transform, Vec3};
 use crate::mesh::Mesh;
 use crate::shape::{
-    closed_curves, frame, segments, BicubicPatch, Blob, Cone, Cuboid, Disc, HeightField, Isosurface,
-    JuliaFractal, Lathe, Lemon, Ovus, Parametric, Plane, Poly, Polygon, Prism, Quadric, Shape, Sor, Sphere,
-    SphereSweep, Superellipsoid, Text, Torus, Triangle,
+    closed_curves, disc_frame, frame, segments, BicubicPatch, Blob, Cone, Cuboid, Disc, HeightField,
+    Isosurface, JuliaFractal, Lathe, Lemon, Ovus, Parametric, Plane, Poly, Polygon, Prism, Quadric, Shape,
+    Sor, Sphere, SphereSweep, Superellipsoid, Text, Torus, Triangle,
 };
 use crate::texture::Builder;
 
@@ -73,7 +73,7 @@ impl<'a> Placer<'a> {
             S::Cone(s) => column(s.base, s.cap, s.base_radius, s.cap_radius, s.open),
             S::Disc(s) => {
                 let disc = Disc { radius: s.radius, hole_radius: s.hole_radius };
-                at(disc.into(), frame(s.center, s.center + s.normal))
+                at(disc.into(), disc_frame(s.center, s.normal))
             }
             S::Torus(s) => {
                 placed(Torus { major: s.major_radius, minor: s.minor_radius, spindle: s.spindle }.into())

@@ -41,7 +41,14 @@ impl Questioned {
 
     /// The box around it, in single precision as in POV-Ray.
     pub fn extents(&self) -> Bounds {
-        let all = self.geometry.top().map(|node| self.geometry.node(node).extent.surface);
+        let all = self.geometry.top().map(|id| {
+            let node = self.geometry.node(id);
+            // What is infinite in one direction is so in all, for POV-Ray, unless bounds are given.
+            let own = node.extent.surface;
+            let own = if own.is_finite() { own } else { Bounds::INFINITE };
+            let bounds = node.bounded_by.iter().map(|&bound| self.geometry.node(bound).extent.surface);
+            bounds.filter(Bounds::is_finite).fold(own, |all, bound| all.intersection(&bound))
+        });
         let bounds = all.fold(Bounds::EMPTY, |sum, b| sum.union(&b));
         let printed = |v: f64, infinite: f64| if v.abs() < HUGE { f64::from(v as f32) } else { infinite };
         Bounds { min: bounds.min.map(|v| printed(v, -HUGE)), max: bounds.max.map(|v| printed(v, HUGE)) }

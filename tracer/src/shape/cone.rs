@@ -20,17 +20,30 @@ pub struct Cone {
     open: bool,
 }
 
-/// The frame whose z axis runs from `base` towards `cap`, turned there by the shortest way (so that boxes around it are
-/// POV-Ray's); none where they coincide.
+/// Two directions across `z` (of length one): x and y turned by the shortest way that takes the z axis there.
+fn across(z: Vec3) -> (Vec3, Vec3) {
+    if z.z < -1.0 + 1e-12 {
+        return (Vec3::X, -Vec3::Y);
+    }
+    let k = 1.0 / (1.0 + z.z);
+    (vec3(1.0 - k * z.x * z.x, -k * z.x * z.y, -z.x), vec3(-k * z.x * z.y, 1.0 - k * z.y * z.y, -z.y))
+}
+
+fn placed(origin: Vec3, (x, y): (Vec3, Vec3), z: Vec3) -> Option<Transform> {
+    Transform::from_matrix([x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z, origin.x, origin.y, origin.z])
+}
+
+/// The frame whose z axis runs from `base` towards `cap`; none where they coincide. The other axes are turned as for the
+/// opposite direction, so that boxes around a column are POV-Ray's.
 pub fn frame(base: Vec3, cap: Vec3) -> Option<Transform> {
     let z = (cap - base).normalized();
-    let (x, y) = if z.z > -1.0 + 1e-12 {
-        let k = 1.0 / (1.0 + z.z);
-        (vec3(1.0 - k * z.x * z.x, -k * z.x * z.y, -z.x), vec3(-k * z.x * z.y, 1.0 - k * z.y * z.y, -z.y))
-    } else {
-        (Vec3::X, -Vec3::Y)
-    };
-    Transform::from_matrix([x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z, base.x, base.y, base.z])
+    placed(base, across(-z), z)
+}
+
+/// The frame of a disc: its z axis is the disc's normal; none where that has no direction.
+pub fn disc_frame(center: Vec3, normal: Vec3) -> Option<Transform> {
+    let z = normal.normalized();
+    placed(center, across(z), z)
 }
 
 impl Cone {

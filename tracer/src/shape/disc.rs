@@ -5,6 +5,8 @@ use crate::accel::Counters;
 use crate::math::{vec3, Bounds, Ray, Vec3};
 
 const NEAREST: f64 = 1e-6;
+/// Of the box around it, as in POV-Ray.
+const THICKNESS: f64 = 1e-3;
 
 /// A flat ring.
 #[derive(Clone, Debug)]
@@ -18,7 +20,7 @@ pub struct Disc {
 impl Primitive for Disc {
     fn bounds(&self) -> Bounds {
         let r = self.radius.abs();
-        Bounds { min: vec3(-r, -r, 0.0), max: vec3(r, r, 0.0) }
+        Bounds { min: vec3(-r, -r, -THICKNESS), max: vec3(r, r, THICKNESS) }
     }
 
     fn solid_bounds(&self) -> Bounds {

@@ -39,7 +39,7 @@ mod triangle;
 pub use bicubic_patch::BicubicPatch;
 pub use blob::Blob;
 pub use boxes::Cuboid;
-pub use cone::{frame, Cone};
+pub use cone::{disc_frame, frame, Cone};
 pub use curve::{closed_curves, segments, Segment};
 pub use disc::Disc;
 pub use height_field::HeightField;

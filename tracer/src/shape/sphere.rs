@@ -2,7 +2,7 @@
 
 use super::{offer_rising, Crossing, Primitive};
 use crate::accel::Counters;
-use crate::math::{Bounds, Ray, Vec3};
+use crate::math::{vec3, Bounds, Ray, Transform, Vec3};
 use std::f64::consts::{PI, TAU};
 
 /// Nearer crossings are not seen, as in POV-Ray.
@@ -31,6 +31,19 @@ impl Sphere {
         }
         let half = (square * scale).sqrt();
         Some([closest - half, closest + half].map(Crossing::at))
+    }
+}
+
+impl Sphere {
+    /// The box around the sphere in a place that only turns it before it is stretched along the axes.
+    pub fn bounds_in(&self, place: &Transform) -> Option<Bounds> {
+        let column = |c: usize| vec3(place.rows[0][c], place.rows[1][c], place.rows[2][c]);
+        let [x, y, z] = [0, 1, 2].map(column);
+        let skew = x.dot(y).abs() + y.dot(z).abs() + z.dot(x).abs();
+        let size = x.length_squared() + y.length_squared() + z.length_squared();
+        let reach = vec3(x.length(), y.length(), z.length()) * self.radius.abs();
+        let center = place.point(self.center);
+        (skew < 1e-12 * size).then(|| Bounds { min: center - reach, max: center + reach })
     }
 }
 
