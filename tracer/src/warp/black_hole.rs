@@ -41,11 +41,13 @@ impl BlackHole {
 
     fn center_near(&self, p: Vec3) -> Vec3 {
         let Some(repeat) = self.repeat else { return self.center };
-        let mut block = Vec3::ZERO;
+        let (mut block, mut center) = (Vec3::ZERO, self.center);
         for axis in (0..3).filter(|&a| repeat[a] != 0.0) {
             block[axis] = (p[axis] / repeat[axis]).floor();
+            // A hole is moved to lie in its block (probed).
+            center[axis] = center[axis].max(self.radius);
         }
-        let corner = self.center + block.mul_each(repeat);
+        let corner = center + block.mul_each(repeat);
         if self.turbulence == Vec3::ZERO {
             return corner;
         }
