@@ -62,6 +62,11 @@ impl Rgbft {
         1.0 - self.filter - self.transmit
     }
 
+    /// The share of light that passes.
+    pub fn passing(&self) -> Rgb {
+        self.rgb * self.filter + Rgb::WHITE * self.transmit
+    }
+
     /// `a * (1 - t) + b * t` on all five components.
     pub fn lerp(a: &Rgbft, b: &Rgbft, t: f64) -> Rgbft {
         Rgbft {

@@ -1,5 +1,7 @@
 //! Shooting rays: the nearest hit, or any.
 
+use std::cmp::Ordering;
+
 use super::{Geometry, Node, NodeId, Solid};
 use crate::accel::{Counters, Query, RayKind};
 use crate::math::{Ray, Vec3};
@@ -200,6 +202,18 @@ impl Geometry {
     /// Whether `point` lies inside the node.
     pub fn inside(&self, point: Vec3, node: NodeId) -> bool {
         self.is_inside(node, point, &mut 0)
+    }
+}
+
+impl Hit {
+    /// The order in which a ray meets hits; of those at the same point the one that is seen comes first.
+    pub fn order(&self, other: &Hit) -> Ordering {
+        let tie = || match (wins_tie(self, other), wins_tie(other, self)) {
+            (true, _) => Ordering::Less,
+            (_, true) => Ordering::Greater,
+            _ => Ordering::Equal,
+        };
+        self.crossing.t.total_cmp(&other.crossing.t).then_with(tie)
     }
 }
 

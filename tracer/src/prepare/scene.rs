@@ -65,6 +65,8 @@ pub(super) struct Dress {
     pub texture: TextureId,
     /// Nothing is seen through it, anywhere.
     pub opaque: bool,
+    /// The share of light that passes, if it is the same everywhere.
+    pub passes: Option<Rgb>,
 }
 
 impl Scene {
@@ -85,6 +87,17 @@ impl Scene {
         !looks.several_textures
             && self.dress_of(looks.texture).opaque
             && looks.interior_texture.is_none_or(|worn| self.dress_of(Some(worn)).opaque)
+    }
+
+    /// The share of a lamp's light that passes a surface, if neither point nor angle nor depth matter.
+    #[inline]
+    pub fn plain_filter(&self, node: NodeId, body: BodyId) -> Option<Rgb> {
+        let looks = self.geometry.looks(node);
+        if looks.several_textures || looks.interior_texture.is_some() {
+            return None;
+        }
+        let plain = self.interior(body).is_none_or(|i| i.fade_power == 0.0 && i.caustics == 0.0);
+        self.dress_of(looks.texture).passes.filter(|_| plain)
     }
 
     /// The lights that shine on objects of a light group.

@@ -28,15 +28,16 @@ pub fn prepare(
     let mut dresses: Vec<Dress> = Vec::new();
     for worn in &geometry.textures {
         let texture = builder.add(&worn.item);
-        let opaque = builder.is_opaque(texture);
+        let (opaque, passes) = (builder.is_opaque(texture), builder.passes(texture));
         let texture = match worn.space.as_deref() {
             Some(space) => builder.push(Texture::Placed(Box::new(*space), texture)),
             None => texture,
         };
-        dresses.push(Dress { texture, opaque });
+        dresses.push(Dress { texture, opaque, passes });
     }
     let texture = builder.add(&scene.default_texture);
-    dresses.push(Dress { texture, opaque: builder.is_opaque(texture) });
+    let (opaque, passes) = (builder.is_opaque(texture), builder.passes(texture));
+    dresses.push(Dress { texture, opaque, passes });
     (builder.textures, dresses)
 }
 
@@ -111,6 +112,15 @@ impl Builder<'_> {
                 .map(|node| self.patterns.normal(node)),
             finish: Finish::new(&plain.finish, self.ambient_light),
         }
+    }
+
+    /// The share of light that passes layers of plain colours.
+    fn passes(&self, id: TextureId) -> Option<Rgb> {
+        let Texture::Layers(layers) = &self.textures[id as usize] else { return None };
+        layers.iter().try_fold(Rgb::WHITE, |filter, layer| match &layer.pigment {
+            Pigment::Solid(color) => Some(filter.mul_each(color.passing())),
+            _ => None,
+        })
     }
 
     /// Whether nothing is ever seen through a texture: some layer is opaque everywhere.

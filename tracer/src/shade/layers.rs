@@ -121,7 +121,7 @@ impl Tracer<'_> {
                 own += light.mul_each(color.rgb) * share;
             }
             seen.rgb += own.mul_each(filter);
-            let mut passes = passing(&color);
+            let mut passes = color.passing();
             if let Some(mirror) = &finish.reflection {
                 let share = self.reflectivity(spot, mirror, normal, color.rgb);
                 let weight = weight * through * mirror.strength(share);
@@ -153,7 +153,7 @@ impl Tracer<'_> {
         for layer in layers {
             let color = layer.color(spot, frame, spot.normal);
             rgb = color.rgb;
-            filter = filter.mul_each(passing(&color));
+            filter = filter.mul_each(color.passing());
             if filter.max_element() < self.scene.adc_bailout {
                 break;
             }
@@ -164,7 +164,7 @@ impl Tracer<'_> {
     /// The share of light that passes layers.
     pub(super) fn layers_filter(&mut self, spot: &Spot, frame: &Frame, layers: &[Layer]) -> Rgb {
         layers.iter().fold(Rgb::WHITE, |filter, layer| {
-            filter.mul_each(passing(&layer.color(spot, frame, spot.normal)))
+            filter.mul_each(layer.color(spot, frame, spot.normal).passing())
         })
     }
 }
@@ -190,9 +190,4 @@ impl Layer {
             pigment => pigment.color(frame.point, &SurfaceContext { normal, ..spot.context }),
         }
     }
-}
-
-/// The share of light that passes a pigment.
-pub(super) fn passing(color: &Rgbft) -> Rgb {
-    color.rgb * color.filter + Rgb::WHITE * color.transmit
 }

@@ -29,7 +29,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::accel::{Counters, RayKind};
 use crate::color::Rgb;
-use crate::geometry::NodeId;
+use crate::geometry::{Hit, NodeId};
 use crate::math::Ray;
 use crate::media::Phase;
 use crate::photon::PhotonMap;
@@ -90,6 +90,8 @@ pub struct Tracer<'s> {
     straight: u32,
     /// The last occluder of each light.
     occluders: Vec<Option<NodeId>>,
+    /// Scratch for the transparent surfaces between a point and a lamp.
+    crossed: Vec<Hit>,
     /// Scratch for the points of an area light.
     grid: Vec<Option<Rgb>>,
     /// The mirrors of the surfaces that are being shaded, the innermost last.
@@ -118,6 +120,7 @@ impl<'s> Tracer<'s> {
             depth: 0,
             straight: 0,
             occluders: vec![None; scene.lights.len()],
+            crossed: Vec::new(),
             grid: Vec::new(),
             mirrors: Vec::new(),
             stretches: Vec::new(),

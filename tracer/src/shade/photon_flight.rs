@@ -2,7 +2,7 @@
 
 use super::dispersion::Band;
 use super::frame::Frame;
-use super::layers::{passing, Spot};
+use super::layers::Spot;
 use super::reflect::mirror_direction;
 use super::refract::{onward, refracted};
 use super::{Interiors, Layer, Path, Texture, TextureId, Tracer, NEAREST};
@@ -149,7 +149,7 @@ impl Tracer<'_> {
                 top_normal = normal;
             }
             let color = layer.color(spot, frame, normal);
-            let mut passes = passing(&color);
+            let mut passes = color.passing();
             if let Some(mirror) = &layer.finish.reflection {
                 let share = self.reflectivity(spot, mirror, normal, color.rgb);
                 if allowed.reflection {

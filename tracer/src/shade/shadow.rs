@@ -3,9 +3,10 @@
 use super::{Interiors, Path, Tracer};
 use crate::accel::RayKind;
 use crate::color::Rgb;
-use crate::geometry::Answer;
+use crate::geometry::{Answer, Hit};
 use crate::light::{Arrival, Light};
 use crate::math::{Ray, Vec3};
+use crate::shape::Crossing;
 
 /// Occluders nearer than this to the point or the lamp throw no shadow.
 const TOLERANCE: f64 = 1e-3;
@@ -77,28 +78,39 @@ impl Tracer<'_> {
                 return Rgb::BLACK;
             }
         }
-        let mut clear = true;
+        let mut crossed = std::mem::take(&mut self.crossed);
+        crossed.clear();
         let blocked =
             scene.geometry.any(&ray, TOLERANCE, limit, RayKind::Shadow, &mut self.counters, |hit| {
-                clear = false;
                 if opaque(hit.node) {
                     *last = Some(hit.object);
                     Answer::Stop
                 } else {
+                    crossed.push(*hit);
                     Answer::Continue
                 }
             });
-        if blocked {
-            return Rgb::BLACK;
-        }
-        if clear && !scene.is_murky(place.interiors, light) {
-            return arrival.color;
-        }
-        self.filtered(number, light, place, arrival)
+        let color = if blocked {
+            Rgb::BLACK
+        } else if crossed.is_empty() && !scene.is_murky(place.interiors, light) {
+            arrival.color
+        } else {
+            crossed.sort_unstable_by(Hit::order);
+            self.filtered(number, light, place, arrival, &crossed)
+        };
+        self.crossed = crossed;
+        color
     }
 
-    /// Light filtered by the transparent objects and media on its way, from the point to the lamp.
-    fn filtered(&mut self, number: u32, light: &Light, place: &Place, arrival: &Arrival) -> Rgb {
+    /// Light filtered by the transparent surfaces that it crosses and the media between, from the point to the lamp.
+    fn filtered(
+        &mut self,
+        number: u32,
+        light: &Light,
+        place: &Place,
+        arrival: &Arrival,
+        crossed: &[Hit],
+    ) -> Rgb {
         let mut path = Path {
             ray: Ray { origin: place.point, direction: arrival.direction },
             interiors: *place.interiors,
@@ -106,11 +118,12 @@ impl Tracer<'_> {
             band: None,
         };
         let mut color = arrival.color;
-        let mut left = arrival.distance - TOLERANCE;
+        // How far the light has been followed.
+        let mut done = 0.0;
+        let mut ahead = crossed.iter();
         while color.max_element() > 0.0 {
-            let nearest =
-                self.scene.geometry.nearest(&path.ray, TOLERANCE, left, RayKind::Shadow, &mut self.counters);
-            let distance = nearest.map_or(left, |hit| hit.crossing.t);
+            let nearest = ahead.find(|hit| hit.crossing.t > done + TOLERANCE);
+            let distance = nearest.map_or(arrival.distance - TOLERANCE, |hit| hit.crossing.t) - done;
             if self.scene.is_murky(&path.interiors, light) {
                 // Of the last part, up to a lamp in a medium, POV-Ray counts only the atmosphere.
                 color = color.mul_each(self.media_filter(&path, distance, nearest.is_some(), light));
@@ -121,9 +134,10 @@ impl Tracer<'_> {
             if self.photons_pass(number, hit.node, place) {
                 return Rgb::BLACK;
             }
-            color = color.mul_each(self.surface_filter(&path, &hit));
-            path.ray.origin = path.ray.at(hit.crossing.t);
-            left -= hit.crossing.t;
+            let here = Hit { crossing: Crossing { t: distance, ..hit.crossing }, ..*hit };
+            color = color.mul_each(self.surface_filter(&path, &here));
+            path.ray.origin = path.ray.at(distance);
+            done = hit.crossing.t;
             let interior = self.scene.body_of(hit.node);
             if !path.interiors.leave(interior) {
                 path.interiors.enter(interior);

@@ -147,6 +147,9 @@ impl Tracer<'_> {
     /// The share of light that passes a surface, for shadows.
     pub(super) fn surface_filter(&mut self, path: &Path, hit: &Hit) -> Rgb {
         let scene = self.scene;
+        if let Some(filter) = scene.plain_filter(hit.node, scene.body_of(hit.node)) {
+            return filter;
+        }
         let spot = Spot::new(scene, path, hit);
         let frame = spot.frame();
         let filter = if spot.looks.several_textures {
