@@ -107,7 +107,8 @@ OPTIONS: tuple[Option, ...] = (
     Option(_QUALITY, "Jitter_Amount", "number", 1.0, "", "how far samples are shifted"),
     Option(_QUALITY, "Work_Threads", "integer", 0, "WT", "threads to render with; 0 is one per core", aliases=("T",),
            long="threads"),
-    Option(_QUALITY, "Accelerator", "text", "octree", "", "how rays find objects: linear, spheres, hierarchy, grid or octree"),
+    Option(_QUALITY, "Accelerator", "text", "octree", "", "how rays find objects: linear, spheres, hierarchy, "
+           "grid or octree"),
     Option(_QUALITY, "Radiosity_From_File", "flag", False, "RFI", "load radiosity samples", support="not yet"),
     Option(_QUALITY, "Radiosity_To_File", "flag", False, "RFO", "save radiosity samples", support="not yet"),
     *_accepted(_QUALITY, "text", "", "Radiosity_File_Name RF", "Bounding_Method BM", "Render_Pattern RP",
