@@ -3,7 +3,7 @@
 import json
 from pathlib import Path
 
-from programs import WHITE, minipov, said
+from running import WHITE, minipov, said
 
 OK, MISTAKES, USAGE = 0, 1, 2
 

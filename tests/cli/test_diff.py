@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from programs import WHITE, fake_povray, minipov, said
+from running import WHITE, fake_povray, minipov, said
 
 from minipov.compare.ours import run_minipov
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from PIL import Image
-from programs import WHITE, fake_povray, minipov, said
+from running import WHITE, fake_povray, minipov, said
 
 MAGENTA = (255, 0, 255)
 

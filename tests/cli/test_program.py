@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from programs import MINIPOV, SMALL, WHITE, environment, minipov, said
+from running import MINIPOV, SMALL, WHITE, environment, minipov, said
 
 OK, SCENE_ERROR, USAGE_ERROR, INTERRUPTED = 0, 1, 2, 130
 

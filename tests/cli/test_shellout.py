@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from programs import SMALL, WHITE, minipov, said
+from running import SMALL, WHITE, minipov, said
 
 OK, SCENE_ERROR, USAGE_ERROR, INTERRUPTED = 0, 1, 2, 130
 
