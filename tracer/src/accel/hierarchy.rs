@@ -1,5 +1,7 @@
 //! `--accelerator hierarchy`: a tree of bounding boxes, halved by number along the longest side, as the textbooks have it.
 
+use arrayvec::ArrayVec;
+
 use super::boxes::entry;
 use super::{Counters, Query};
 use crate::math::{Bounds, Vec3};
@@ -69,11 +71,9 @@ impl Hierarchy {
         if self.nodes.is_empty() {
             return limit;
         }
-        let mut stack = [0u32; STACK];
-        let mut height = 1;
-        while height > 0 {
-            height -= 1;
-            let index = stack[height];
+        let mut stack = ArrayVec::<u32, STACK>::new();
+        stack.push(0);
+        while let Some(index) = stack.pop() {
             let node = &self.nodes[index as usize];
             counters.boxes += 1;
             if entry(&node.bounds, query, limit).is_none() {
@@ -86,8 +86,7 @@ impl Hierarchy {
                     // The nearer of the two comes off the stack first.
                     let against = query.negative[usize::from(axis)];
                     let order = if against { [index + 1, second] } else { [second, index + 1] };
-                    stack[height..height + 2].copy_from_slice(&order);
-                    height += 2;
+                    stack.extend(order);
                 }
             }
         }

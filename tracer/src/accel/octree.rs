@@ -5,6 +5,8 @@
 //! Visiting child `k XOR mask` for k = 0..7, where the mask has a bit for each halving that the ray runs against, goes
 //! from near to far without sorting.
 
+use arrayvec::ArrayVec;
+
 use super::boxes::Boxes;
 use super::build::Items;
 use super::{Counters, Query};
@@ -93,11 +95,9 @@ impl Octree {
         if self.cells.is_empty() {
             return limit;
         }
-        let mut stack = [(0u32, 0.0f32); STACK];
-        let mut height = 1;
-        while height > 0 {
-            height -= 1;
-            let (child, entry) = stack[height];
+        let mut stack = ArrayVec::<(u32, f32), STACK>::new();
+        stack.push((0, 0.0));
+        while let Some((child, entry)) = stack.pop() {
             if f64::from(entry) > limit * SLACK {
                 continue;
             }
@@ -122,8 +122,7 @@ impl Octree {
             for k in (0..8).rev() {
                 let lane = k ^ against;
                 if mask >> lane & 1 != 0 {
-                    stack[height] = (cell.children[lane], entries[lane] as f32);
-                    height += 1;
+                    stack.push((cell.children[lane], entries[lane] as f32));
                     mask &= !(1 << lane);
                     if mask == 0 {
                         break;
@@ -139,11 +138,9 @@ impl Octree {
         if self.cells.is_empty() {
             return false;
         }
-        let mut stack = [0u32; STACK];
-        let mut height = 1;
-        while height > 0 {
-            height -= 1;
-            let child = stack[height];
+        let mut stack = ArrayVec::<u32, STACK>::new();
+        stack.push(0);
+        while let Some(child) = stack.pop() {
             if child & LEAF != 0 {
                 let first = (child & INDEX) as usize;
                 let count = (child >> COUNT_SHIFT & 15) as usize;
@@ -155,8 +152,7 @@ impl Octree {
             let cell = &self.cells[child as usize];
             let mut mask = cell.boxes.around(point);
             while mask != 0 {
-                stack[height] = cell.children[mask.trailing_zeros() as usize];
-                height += 1;
+                stack.push(cell.children[mask.trailing_zeros() as usize]);
                 mask &= mask - 1;
             }
         }

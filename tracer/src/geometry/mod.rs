@@ -64,6 +64,11 @@ impl Geometry {
         &self.looks[node as usize]
     }
 
+    /// Whether any node's texture is mapped by surface coordinates.
+    pub fn uses_uv(&self) -> bool {
+        self.looks.iter().any(|looks| looks.uv_mapping)
+    }
+
     /// A node.
     pub fn node(&self, node: NodeId) -> &Node {
         &self.nodes[node as usize]

@@ -33,7 +33,7 @@ impl Builder {
     }
 
     /// The modifiers of a pattern whose own wave is `own_wave`.
-    pub(crate) fn modifiers(&self, node: &graph::PatternModifiers, own_wave: Wave) -> Modifiers {
+    pub(crate) fn modifiers(&mut self, node: &graph::PatternModifiers, own_wave: Wave) -> Modifiers {
         let wave = match node.wave {
             None => own_wave,
             Some(WaveKind::Ramp) => Wave::Ramp,
@@ -43,6 +43,7 @@ impl Builder {
             Some(WaveKind::Cubic) => Wave::Cubic,
             Some(WaveKind::Poly) => Wave::Poly(node.poly_exponent),
         };
+        self.uses_uv |= node.uv_mapping;
         Modifiers {
             warps: node.warps.iter().map(Warp::from).collect(),
             turbulence: node.turbulence.as_ref().map(TurbulenceModifier::from),
@@ -53,7 +54,7 @@ impl Builder {
     }
 
     /// The numbers of a `material_map` as a block pattern.
-    pub fn material_pattern(&self, node: &MaterialMap) -> Pattern {
+    pub fn material_pattern(&mut self, node: &MaterialMap) -> Pattern {
         let kind = PatternKind::Material(Box::new(ImageMapping::from(&node.mapping)));
         let modifiers = self.modifiers(&node.modifiers, kind.own_wave());
         Pattern { kind, modifiers }

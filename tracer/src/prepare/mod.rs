@@ -51,6 +51,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
     let sky = Sky::new(scene, settings.alpha, &mut patterns);
     let atmosphere = Atmosphere::new(scene, &quality);
     unsupported.append(&mut patterns.unsupported);
+    let uses_uv = patterns.uses_uv || geometry.uses_uv();
     let mut prepared = Scene {
         geometry,
         textures,
@@ -67,7 +68,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
         quality,
         photons: photons(scene, &quality),
         radiosity: radiosity(scene, &quality),
-        uses_uv: true,
+        uses_uv,
         max_trace_level: global.max_trace_level,
         adc_bailout: global.adc_bailout,
         irid_wavelength: global.irid_wavelength,

@@ -22,6 +22,8 @@ pub struct Builder {
     pigments: HashMap<usize, Pigment>,
     pub(crate) functions: HashMap<usize, Option<Function>>,
     pub(super) normals: HashMap<(usize, NormalScale), Normal>,
+    /// Whether anything is mapped by surface coordinates.
+    pub uses_uv: bool,
     /// What was left out.
     pub unsupported: Vec<Unsupported>,
 }
@@ -41,6 +43,7 @@ impl Builder {
             pigments: HashMap::new(),
             functions: HashMap::new(),
             normals: HashMap::new(),
+            uses_uv: false,
             unsupported: Vec::new(),
         }
     }
