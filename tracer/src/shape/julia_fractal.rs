@@ -13,8 +13,6 @@ use crate::math::{vec3, Bounds, Ray, Vec3};
 
 /// Nearer than this to the start nothing is seen.
 const FINE: f64 = 1e-8;
-/// Share of the way to where |h|² would be small enough, if it fell evenly, that is safe to go.
-const CAUTION: f64 = 0.5;
 /// How often the step in which something changed is halved.
 const HALVINGS: usize = 26;
 /// A ray makes so many steps for a unit of length at most.
@@ -89,16 +87,37 @@ impl JuliaFractal {
         !self.escaped(h)
     }
 
-    /// How far to go from a point outside: a step, or more where h is fast to escape, for there the growth of |h|² tells
-    /// how far the surface is at least.
-    fn stride(&self, p: Vec3) -> f64 {
-        let start = self.start(p);
-        let (path, h) = if self.escaped(start) { (&[][..], start) } else { (&[start][..], self.next(start)) };
-        if !self.escaped(h) {
-            return self.step;
+    /// Whether a point is inside, and how far to go from there: a step, or more outside. For quaternions |h| ln |h| / |h'|
+    /// tells how far the surface is (here the derivative takes one more round, for caution); for hypercomplex numbers
+    /// |h|² is followed down along the ray, as in POV-Ray. `path` is room for the h before.
+    fn stride(&self, p: Vec3, direction: Vec3, path: &mut Vec<Number>) -> (bool, f64) {
+        path.clear();
+        let mut h = self.start(p);
+        while !self.escaped(h) {
+            if path.len() + 1 >= self.rounds as usize {
+                return (true, self.step);
+            }
+            path.push(h);
+            h = self.next(h);
         }
-        let slope = 2.0 * self.gradient(h, path).length();
-        (CAUTION * (h.norm() - self.radius * self.radius) / slope).max(self.step)
+        let stride = match self.algebra {
+            Algebra::Quaternion => {
+                let growth: f64 = path.iter().map(|&at| self.stretch(at)).product();
+                (h.norm() / (growth * self.stretch(h))).sqrt() * h.norm().ln()
+            }
+            Algebra::Hypercomplex => h.norm() / (-2.0 * self.gradient(h, path).dot(direction)),
+        };
+        (false, stride.max(self.step))
+    }
+
+    /// The square of the derivative's size.
+    fn stretch(&self, h: Number) -> f64 {
+        let size = h.norm();
+        if self.function == Function::Cube {
+            9.0 * size * size
+        } else {
+            4.0 * size
+        }
     }
 
     /// The gradient of |h|² / 2 in x, y, z, for the h that follows `path`.
@@ -137,24 +156,27 @@ impl Primitive for JuliaFractal {
             return limit;
         }
         let mut t = enter.max(FINE);
-        let mut inside = self.stays(unit.at(t));
+        let mut path = Vec::new();
+        let (mut inside, mut stride) = self.stride(unit.at(t), unit.direction, &mut path);
         if inside {
             // Begun on the surface, or within.
             t += 2.0 * FINE;
-            inside = self.stays(unit.at(t));
+            (inside, stride) = self.stride(unit.at(t), unit.direction, &mut path);
         }
         let end = leave.min(limit * scale + self.step);
         loop {
-            let stride = if inside { self.step } else { self.stride(unit.at(t)) };
             if t + stride > end || t + stride <= t {
                 return limit;
             }
-            t += stride;
-            if self.stays(unit.at(t)) == inside {
+            let gone = stride;
+            t += gone;
+            let now;
+            (now, stride) = self.stride(unit.at(t), unit.direction, &mut path);
+            if now == inside {
                 continue;
             }
             // The change lies within the last step.
-            let (mut near, mut far) = (t - stride, t);
+            let (mut near, mut far) = (t - gone, t);
             for _ in 0..HALVINGS {
                 let middle = 0.5 * (near + far);
                 if self.stays(unit.at(middle)) == inside {
@@ -168,7 +190,7 @@ impl Primitive for JuliaFractal {
                 limit = offer(Crossing::at(found), limit);
             }
             t = far;
-            inside = !inside;
+            (inside, stride) = self.stride(unit.at(t), unit.direction, &mut path);
         }
     }
 
