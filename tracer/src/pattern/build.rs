@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{
     Brick, Crackle, DensityFile, Facets, Fractal, ImagePattern, Modifiers, Pattern, PatternKind, Slope,
-    TurbulenceModifier, Wave, Waveform,
+    Tiling, TurbulenceModifier, Wave, Waveform,
 };
 use crate::geometry::Questioned;
 use crate::graph::pattern as graph;
@@ -108,7 +108,10 @@ impl Builder {
                 PatternKind::Pigment(Box::new(self.pigment(&inner.pigment)))
             }
             graph::Pattern::Potential(_) => return self.no_pattern("potential"),
-            graph::Pattern::Tiling(_) => return self.no_pattern("tiling"),
+            graph::Pattern::Tiling(graph::Tiling { number }) => match Tiling::new(*number) {
+                Some(tiling) => PatternKind::Tiling(Arc::new(tiling)),
+                None => return self.no_pattern(&format!("tiling {number}")),
+            },
         })
     }
 

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::image_pattern::material_number;
 use super::{blocks, cells, noisy, shells, spirals, surface};
 use super::{
-    Brick, Crackle, DensityFile, Facets, Fractal, ImagePattern, Modifiers, Slope, SurfaceContext, Wave,
-    WaveSources,
+    Brick, Crackle, DensityFile, Facets, Fractal, ImagePattern, Modifiers, Slope, SurfaceContext, Tiling,
+    Wave, WaveSources,
 };
 use crate::function::Function;
 use crate::geometry::Questioned;
@@ -72,6 +72,7 @@ pub enum PatternKind {
         arms: f64,
     },
     Square,
+    Tiling(Arc<Tiling>),
     Triangular,
     Waves(WaveSources),
     Wood,
@@ -118,6 +119,7 @@ impl PatternKind {
             PatternKind::Spiral1 { arms } => spirals::spiral1(p, *arms, modifiers),
             PatternKind::Spiral2 { arms } => spirals::spiral2(p, *arms, modifiers),
             PatternKind::Square => blocks::square(p),
+            PatternKind::Tiling(tiling) => tiling.value(p),
             PatternKind::Triangular => blocks::triangular(p),
             PatternKind::Waves(sources) => sources.waves(p, &modifiers.waveform),
             PatternKind::Wood => shells::wood(p, modifiers),

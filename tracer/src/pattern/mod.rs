@@ -17,6 +17,7 @@ mod ripples;
 mod shells;
 mod spirals;
 mod surface;
+mod tiling;
 mod wave;
 
 pub use blocks::Brick;
@@ -31,6 +32,7 @@ pub use modifiers::{Modifiers, TurbulenceModifier};
 pub use ripples::WaveSources;
 pub(crate) use shells::quilted_bump;
 pub use surface::{Slope, SurfaceContext};
+pub use tiling::Tiling;
 pub use wave::{Wave, Waveform};
 
 use crate::math::Vec3;
