@@ -9,6 +9,12 @@ const NEAREST: f64 = 1e-4;
 /// The box is a little wider than the shape, as in POV-Ray.
 const REACH: f64 = 1.0001;
 
+/// A value above this is no rounding error.
+const SURE: f64 = 1e-12;
+
+/// A place on the ray and the value there.
+type Sample = (f64, f64);
+
 /// Something between a box, a ball, a cylinder and a star.
 #[derive(Clone, Debug)]
 pub struct Superellipsoid {
@@ -32,8 +38,7 @@ impl Superellipsoid {
     }
 
     /// The parameter between a and b where the sign changes.
-    fn root(&self, ray: &Ray, mut a: f64, mut b: f64) -> f64 {
-        let (mut fa, mut fb) = (self.value(ray.at(a)), self.value(ray.at(b)));
+    fn root(&self, ray: &Ray, (mut a, mut fa): Sample, (mut b, mut fb): Sample) -> f64 {
         for _ in 0..200 {
             // Illinois: false position that halves the weight of an end that stays.
             let m = (a * fb - b * fa) / (fb - fa);
@@ -56,31 +61,48 @@ impl Superellipsoid {
         0.5 * (a + b)
     }
 
-    /// The smallest value between a and b, by golden sections; stops at the first negative one.
-    fn lowest(&self, ray: &Ray, mut a: f64, mut b: f64) -> Option<f64> {
+    /// A negative value between a and b, looked for by golden sections.
+    fn lowest(&self, ray: &Ray, (mut a, mut fa): Sample, (mut b, mut fb): Sample) -> Option<Sample> {
         const GOLDEN: f64 = 0.618_033_988_749_894_8;
         let f = |t: f64| self.value(ray.at(t));
+        // Then the value is a convex function along the ray.
+        let convex = self.around >= 1.0 && self.along >= 1.0;
         let (mut p, mut q) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
         let (mut fp, mut fq) = (f(p), f(q));
         for _ in 0..40 {
             if fp < 0.0 {
-                return Some(p);
+                return Some((p, fp));
             }
             if fq < 0.0 {
-                return Some(q);
+                return Some((q, fq));
+            }
+            if convex && least([(a, fa), (p, fp), (q, fq), (b, fb)]) > SURE {
+                return None;
             }
             if fp < fq {
-                (b, q, fq) = (q, p, fp);
+                (b, fb, q, fq) = (q, fq, p, fp);
                 p = b - GOLDEN * (b - a);
                 fp = f(p);
             } else {
-                (a, p, fp) = (p, q, fq);
+                (a, fa, p, fp) = (p, fp, q, fq);
                 q = a + GOLDEN * (b - a);
                 fq = f(q);
             }
         }
         None
     }
+}
+
+/// What no convex function through four places falls below between the first and the last: each secant, made longer,
+/// lies below the function.
+fn least([a, p, q, b]: [Sample; 4]) -> f64 {
+    let slope = |(s, fs): Sample, (t, ft): Sample| (ft - fs) / (t - s);
+    let (before, between, behind) = (slope(a, p), slope(p, q), slope(q, b));
+    let first = p.1 - between.max(0.0) * (p.0 - a.0);
+    let last = q.1 + between.min(0.0) * (b.0 - q.0);
+    let length = q.0 - p.0;
+    let middle = (p.1 + before.min(0.0) * length).max(q.1 - behind.max(0.0) * length);
+    first.min(last).min(middle)
 }
 
 impl Primitive for Superellipsoid {
@@ -142,8 +164,8 @@ impl Primitive for Superellipsoid {
             if a > limit || a >= b {
                 continue;
             }
-            let (fa, fb) = (self.value(ray.at(a)), self.value(ray.at(b)));
-            let mut found = |a: f64, b: f64, limit: f64| {
+            let (a, b) = ((a, self.value(ray.at(a))), (b, self.value(ray.at(b))));
+            let mut found = |a: Sample, b: Sample, limit: f64| {
                 let t = self.root(ray, a, b);
                 if t > from && t <= limit {
                     offer(Crossing::at(t), limit)
@@ -151,9 +173,9 @@ impl Primitive for Superellipsoid {
                     limit
                 }
             };
-            if (fa < 0.0) != (fb < 0.0) {
+            if (a.1 < 0.0) != (b.1 < 0.0) {
                 limit = found(a, b, limit);
-            } else if fa >= 0.0 {
+            } else if a.1 >= 0.0 {
                 if let Some(dip) = self.lowest(ray, a, b) {
                     limit = found(a, dip, limit);
                     limit = found(dip, b, limit);
