@@ -24,6 +24,10 @@ pub(super) struct Layout {
     pub tiles: &'static [(u8, &'static [Place])],
 }
 
+/// Sides from which a tile falls more gently, over `WIDE_BEVEL`: the tiling's number, the tile's kind and the side.
+pub(super) const WIDE_SIDES: [(u8, u8, usize); 3] = [(22, 2, 5), (22, 2, 8), (22, 2, 11)];
+pub(super) const WIDE_BEVEL: f64 = 1.0 / 3.0;
+
 #[rustfmt::skip]
 pub(super) const LAYOUTS: &[Layout] = &[
     // 1: squares
@@ -323,6 +327,22 @@ pub(super) const LAYOUTS: &[Layout] = &[
             (3, &[[0, 0, -2, 0], [-2, 0, -2, -2], [2, 0, -2, -2]]),
             (4, &[[0, -2, 0, 0], [-2, -2, 0, -2], [-2, 0, -2, -2], [0, 0, -2, 0]]),
             (5, &[[0, 2, 0, 0], [0, 0, -2, 0], [2, 0, -2, -2], [2, 2, 0, -2]]),
+        ],
+    },
+    // 22: dodecagons and triangles
+    Layout {
+        number: 22,
+        kinds: 3,
+        bevel: ROOT3 / 6.0,
+        root: ROOT3,
+        lattice: [[-4, -2, 6, 4], [-8, -4, 0, 0]],
+        tiles: &[
+            (0, &[[0, 0, 2, 2], [-2, 0, 2, 0], [2, 0, 2, 0]]),
+            (1, &[[2, 2, 0, 0], [4, 2, 0, -2], [6, 2, 0, 0]]),
+            (2, &[
+                [4, 2, 0, -2], [2, 2, 0, 0], [2, 0, 2, 0], [-2, 0, 2, 0], [-2, -2, 0, 0], [-4, -2, 0, -2],
+                [-4, -2, -4, -2], [-2, -2, -4, -4], [-2, 0, -6, -4], [2, 0, -6, -4], [2, 2, -4, -4], [4, 2, -4, -2],
+            ]),
         ],
     },
     // 23: dodecagons, hexagons and squares

@@ -4,11 +4,11 @@
 
 mod layouts;
 
-use layouts::{Layout, Place, LAYOUTS};
+use layouts::{Layout, Place, LAYOUTS, WIDE_BEVEL, WIDE_SIDES};
 
 use crate::math::Vec3;
 
-/// A side of a tile as a line: a point is `offset - normal * point` inside of it.
+/// A side of a tile as a line: a point is `offset - normal * point` inside of it, in widths of its bevel.
 #[derive(Clone, Copy, Debug)]
 struct Side {
     normal: [f64; 2],
@@ -22,7 +22,7 @@ struct Tile {
 }
 
 impl Tile {
-    /// How far a point is inside; negative outside.
+    /// How far a point is inside, in widths of the bevel; negative outside.
     #[inline]
     fn depth(&self, [x, z]: [f64; 2]) -> f64 {
         let inside = self.sides.iter().map(|side| side.offset - side.normal[0] * x - side.normal[1] * z);
@@ -34,7 +34,6 @@ impl Tile {
 #[derive(Clone, Debug)]
 pub struct Tiling {
     kinds: f64,
-    bevel: f64,
     lattice: [[f64; 2]; 2],
     /// Every tile that reaches into the lattice's cell at the origin.
     tiles: Vec<Tile>,
@@ -60,7 +59,7 @@ impl Tiling {
             }
         }
         let (depth, kind) = best;
-        (kind + 1.0 - (depth / self.bevel).clamp(0.0, 1.0)) / self.kinds
+        (kind + 1.0 - depth.clamp(0.0, 1.0)) / self.kinds
     }
 }
 
@@ -78,11 +77,21 @@ impl From<&Layout> for Tiling {
             for i in (-high[0].floor() as i32)..=(1.0 - low[0]).floor() as i32 {
                 for j in (-high[1].floor() as i32)..=(1.0 - low[1]).floor() as i32 {
                     let moved: Vec<_> = corners.iter().map(|c| moved(lattice, *c, i, j)).collect();
-                    tiles.push(Tile { kind: f64::from(kind), sides: sides(&moved) });
+                    let bevels = (0..).map(|side| bevel(layout, kind, side));
+                    tiles.push(Tile { kind: f64::from(kind), sides: sides(&moved, bevels) });
                 }
             }
         }
-        Tiling { kinds: f64::from(layout.kinds), bevel: layout.bevel, lattice, tiles }
+        Tiling { kinds: f64::from(layout.kinds), lattice, tiles }
+    }
+}
+
+/// How far from a side its tile becomes flat.
+fn bevel(layout: &Layout, kind: u8, side: usize) -> f64 {
+    if WIDE_SIDES.contains(&(layout.number, kind, side)) {
+        WIDE_BEVEL
+    } else {
+        layout.bevel
     }
 }
 
@@ -118,15 +127,15 @@ fn cell_range(lattice: [[f64; 2]; 2], corners: &[[f64; 2]]) -> ([f64; 2], [f64; 
 }
 
 /// The sides of a polygon whose corners stand counterclockwise.
-fn sides(corners: &[[f64; 2]]) -> Vec<Side> {
+fn sides(corners: &[[f64; 2]], bevels: impl Iterator<Item = f64>) -> Vec<Side> {
     let next = corners.iter().cycle().skip(1);
-    let side = |(from, to): (&[f64; 2], &[f64; 2])| {
+    let side = |((from, to), bevel): ((&[f64; 2], &[f64; 2]), f64)| {
         let (dx, dz) = (to[0] - from[0], to[1] - from[1]);
-        let length = dx.hypot(dz);
-        let normal = [dz / length, -dx / length];
+        let scale = dx.hypot(dz) * bevel;
+        let normal = [dz / scale, -dx / scale];
         Side { normal, offset: normal[0] * from[0] + normal[1] * from[1] }
     };
-    corners.iter().zip(next).map(side).collect()
+    corners.iter().zip(next).zip(bevels).map(side).collect()
 }
 
 #[cfg(test)]
