@@ -18,6 +18,7 @@ use crate::media::Media;
 use crate::noise::NoiseGenerator;
 use crate::photon;
 use crate::radiosity::Settings;
+use crate::shade::Layering;
 use crate::texture::Builder;
 
 /// Makes a scene ready for rendering; what cannot be rendered is left out and listed.
@@ -69,6 +70,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
         photons: photons(scene, &quality),
         radiosity: radiosity(scene, &quality),
         uses_uv,
+        layering: Layering::of_version(scene.version),
         max_trace_level: global.max_trace_level,
         adc_bailout: global.adc_bailout,
         irid_wavelength: global.irid_wavelength,

@@ -12,7 +12,7 @@ use crate::media::Media;
 use crate::noise::NoiseGenerator;
 use crate::photon;
 use crate::radiosity;
-use crate::shade::{BodyId, Interiors, Spot, Texture, TextureId};
+use crate::shade::{BodyId, Interiors, Layering, Spot, Texture, TextureId};
 
 /// A scene ready for rendering.
 #[derive(Debug)]
@@ -49,6 +49,8 @@ pub struct Scene {
     pub photons: Option<photon::Settings>,
     /// How light between surfaces is gathered, if it is.
     pub radiosity: Option<radiosity::Settings>,
+    /// How layers cover each other.
+    pub layering: Layering,
     /// Longest chain of rays.
     pub max_trace_level: u32,
     /// Rays of less weight are not shot.
