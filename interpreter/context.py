@@ -73,7 +73,10 @@ class SceneBuilder:
     media: list[Media] = field(default_factory=list)
     settings: GlobalSettings = field(default_factory=GlobalSettings)
     gamma_was_set: bool = False
+    noise_was_set: bool = False
 
+
+SECOND_NOISE_SINCE: Final = 3.5
 
 UNSAID_VERSION: Final = 3.62
 """The version that holds for a scene without ``#version`` (its variable ``version`` reads 3.7 all the same)."""
@@ -93,6 +96,12 @@ class Context:
     default_texture: Texture = field(default_factory=PlainTexture)
     default_camera: Any = None
     default_radiosity_importance: float | None = None
+
+    @property
+    def noise_generator(self) -> int:
+        """The scene's noise generator: before version 3.5 the first, unless it says otherwise."""
+        old = self.version < SECOND_NOISE_SINCE and not self.scene.noise_was_set
+        return 1 if old else self.scene.settings.noise_generator
 
 
 _current: ContextVar[Context] = ContextVar("minipov_context")

@@ -30,7 +30,7 @@ def finished(context: Context) -> Scene:
         tuple(found.rainbows),
         found.sky_sphere,
         tuple(found.media),
-        replace(found.settings, assumed_gamma=working_gamma(context)),
+        replace(found.settings, assumed_gamma=working_gamma(context), noise_generator=context.noise_generator),
         context.default_texture,
         context.version,
     )

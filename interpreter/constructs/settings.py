@@ -80,6 +80,8 @@ def _checked(fields: dict[str, Any], context: Context, place: Place) -> dict[str
                 context.messages.warn("assumed_gamma was set before: the first value counts", place)
             return {}
         context.scene.gamma_was_set = True
+    if "noise_generator" in fields:
+        context.scene.noise_was_set = True
     level = fields.get("max_trace_level")
     if level is not None and not 1 <= level <= LARGEST_TRACE_LEVEL:
         context.messages.warn(f"max_trace_level must be 1 to {LARGEST_TRACE_LEVEL}", place)

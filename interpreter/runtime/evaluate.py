@@ -86,8 +86,8 @@ def compiled_function(function: Function) -> Any:
     from minipov.tracer import _core
 
     try:
-        settings = current_context().scene.settings
-        compiled = _core.Function(function, settings.noise_generator, settings.number_of_waves)
+        context = current_context()
+        compiled = _core.Function(function, context.noise_generator, context.scene.settings.number_of_waves)
     except ValueError as error:
         raise SdlError(str(error)) from None
     _cache[id(function)] = (function, compiled)

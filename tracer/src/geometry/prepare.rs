@@ -14,6 +14,7 @@ use crate::accel::{Accelerator, AcceleratorKind, RayKind};
 use crate::csg::{Composite, Operation};
 use crate::graph::{self, LightSource, Object, Shared, Unsupported};
 use crate::math::Transform;
+use crate::shape::Shape;
 use crate::texture::Builder;
 
 /// Makes the objects of a scene ready for rays. What cannot be rendered is left out and listed.
@@ -77,7 +78,12 @@ impl<'a> Preparation<'a> {
     fn finish(mut self) -> (Geometry, Vec<Unsupported>) {
         let nodes = &self.geometry.nodes;
         let surface = |id: &NodeId| nodes[*id as usize].extent.surface;
-        let top = self.top.iter().copied().filter(|id| !surface(id).is_empty());
+        // A sphere of negative radius has a box that no ray meets, as in POV-Ray; within a CSG it is like any other.
+        let negative = |id: &NodeId| {
+            let solid = &nodes[*id as usize].solid;
+            matches!(solid, Solid::Primitive { shape: Shape::Sphere(s), place: None } if s.radius < 0.0)
+        };
+        let top = self.top.iter().copied().filter(|id| !surface(id).is_empty() && !negative(id));
         let (finite, infinite): (Vec<NodeId>, Vec<NodeId>) = top.partition(|id| surface(id).is_finite());
         let boxes: Vec<_> = finite.iter().map(surface).collect();
         self.geometry.tree = Accelerator::build(self.kind, &boxes);
@@ -335,6 +341,7 @@ impl<'a> Preparation<'a> {
             let looks = &mut self.geometry.looks[id as usize];
             if looks.untextured && looks.cutaway.is_none() {
                 looks.cutaway = Some(whole);
+                looks.several_textures = true;
             }
             if let Solid::Composite(composite) = &self.geometry.nodes[id as usize].solid {
                 open.extend(composite.children());

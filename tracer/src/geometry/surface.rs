@@ -55,6 +55,15 @@ impl Geometry {
     pub fn texture_weights(&self, hit: &Hit, point: Vec3, weights: &mut Vec<(Option<u32>, f64)>) {
         weights.clear();
         let looks = self.looks(hit.node);
+        if let Some(whole) = looks.cutaway {
+            self.cut_textures(whole, point, weights);
+            let share = (weights.len() as f64).recip();
+            weights.iter_mut().for_each(|weight| weight.1 = share);
+            if weights.is_empty() {
+                weights.push((looks.texture, 1.0));
+            }
+            return;
+        }
         let mesh = match &self.nodes[hit.node as usize].solid {
             Solid::Primitive { shape: Shape::Mesh(mesh), .. } => mesh,
             Solid::Primitive { shape: Shape::Blob(blob), place } => {
@@ -72,6 +81,19 @@ impl Geometry {
             }
             Some(corners) => weights.extend(corners.map(|(i, share)| (looks.part_texture(i), share))),
             None => weights.push((looks.texture, 1.0)),
+        }
+    }
+
+    /// The textures of all parts of a CSG that hold a point: what a cutting surface without a texture shows.
+    fn cut_textures(&self, whole: NodeId, point: Vec3, weights: &mut Vec<(Option<u32>, f64)>) {
+        let Solid::Composite(composite) = &self.nodes[whole as usize].solid else { return };
+        for child in composite.children().filter(|&child| self.inside(point, child)) {
+            let looks = self.looks(child);
+            match &self.nodes[child as usize].solid {
+                Solid::Composite(_) => self.cut_textures(child, point, weights),
+                Solid::Primitive { .. } if !looks.untextured => weights.push((looks.texture, 1.0)),
+                Solid::Primitive { .. } => (),
+            }
         }
     }
 }
