@@ -115,15 +115,11 @@ fn moved([a, b]: [[f64; 2]; 2], [x, z]: [f64; 2], i: i32, j: i32) -> [f64; 2] {
 
 /// The lowest and highest coordinates of corners, counted in steps of the lattice.
 fn cell_range(lattice: [[f64; 2]; 2], corners: &[[f64; 2]]) -> ([f64; 2], [f64; 2]) {
-    let mut range = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for corner in corners {
-        let steps = in_steps(lattice, *corner);
-        for axis in 0..2 {
-            range.0[axis] = range.0[axis].min(steps[axis]);
-            range.1[axis] = range.1[axis].max(steps[axis]);
-        }
-    }
-    range
+    let range = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    corners.iter().fold(range, |(low, high), corner| {
+        let [i, j] = in_steps(lattice, *corner);
+        ([low[0].min(i), low[1].min(j)], [high[0].max(i), high[1].max(j)])
+    })
 }
 
 /// The sides of a polygon whose corners stand counterclockwise.
