@@ -1,7 +1,7 @@
 //! SDL: `julia_fractal { <-0.08, 0, -0.83, -0.025> quaternion sqr max_iteration 8 precision 20 slice <0,0,0,1>, 0 }`.
 //!
 //! A point of the slice is inside if h -> f(h) + p, begun at it, stays near the origin `max_iteration` times: within
-//! 1 + |p| for quaternions, 4 for hypercomplex numbers. A ray is followed in steps of 1 / `precision`; where inside and
+//! 1 + |p| for quaternions, 4 for hypercomplex numbers. A ray is followed in steps of 1 / `precision`, or wider ones far outside; where inside and
 //! outside change, the place is found by halving. What is thinner than a step may be missed, as in POV-Ray.
 
 use super::hypercomplex::{Function, Number};
@@ -64,8 +64,9 @@ impl JuliaFractal {
     }
 
     fn escaped(&self, h: Number) -> bool {
-        // Not `>`: what is no number any more has escaped.
-        !(h.norm() <= self.radius * self.radius)
+        let size = h.norm();
+        // What is no number any more has escaped.
+        size > self.radius * self.radius || size.is_nan()
     }
 
     fn next(&self, h: Number) -> Number {
