@@ -24,7 +24,7 @@ impl DensityFile {
         if self.0.voxels.is_empty() || !(0..3).all(|axis| (0.0..1.0).contains(&p[axis])) {
             return 0.0;
         }
-        let (xs, ys, zs) = (self.along(p.x, nx, 0), self.along(p.y, ny, ny - 1), self.along(p.z, nz, nz - 1));
+        let (xs, ys, zs) = (self.along(p.x, nx), self.along(p.y, ny), self.along(p.z, nz));
         let used = match self.0.interpolate {
             1 => 2,
             2 => 4,
@@ -38,12 +38,14 @@ impl DensityFile {
                 }
             }
         }
-        sum
+        // Cubics overshoot.
+        sum.clamp(0.0, 1.0)
     }
 
     /// The voxels around a place. Their values stand at their lower corners, and after the last comes the first again.
-    /// What stands before the first is the last, but along x the first itself (probed).
-    fn along(&self, share: f64, size: usize, before_first: usize) -> Neighbours {
+    /// What stands before the first follows from an index that has wrapped around (probed).
+    fn along(&self, share: f64, size: usize) -> Neighbours {
+        let before_first = u32::MAX as usize % size;
         let place = share * size as f64;
         let first = (place as usize).min(size - 1);
         let t = place - first as f64;

@@ -1,11 +1,11 @@
 //! How layers of a texture cover each other, which has changed with the language's version (probed).
 
-use crate::color::{Rgb, Rgbft};
+use crate::color::Rgbft;
 
 /// What a scene's version says about layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layering {
-    /// Before 3.5: lower layers are seen through `filter` as through `transmit`.
+    /// Before 3.5: besides, lower layers are seen through `filter` as through `transmit`.
     Plain,
     /// Before 3.7: `filter` takes from a layer's own light by the pigment's brightest channel only.
     Brightest,
@@ -32,12 +32,12 @@ impl Layering {
         }
     }
 
-    /// The share of lower layers' light that is seen through a layer, of which `passes` is the share in general.
+    /// The colour of a layer as it counts.
     #[inline]
-    pub fn seen_below(self, color: &Rgbft, passes: Rgb) -> Rgb {
-        match self {
-            Layering::Plain => Rgb::WHITE * (color.filter + color.transmit),
-            _ => passes,
+    pub fn seen(self, color: Rgbft, is_lowest: bool) -> Rgbft {
+        if self == Layering::Plain && !is_lowest {
+            return Rgbft { filter: 0.0, transmit: color.filter + color.transmit, ..color };
         }
+        color
     }
 }

@@ -91,8 +91,6 @@ impl Tracer<'_> {
         let mut seen = Radiance::BLACK;
         // What of the light from below gets through the layers so far.
         let mut filter = Rgb::WHITE;
-        // What of the light from behind does: the same, but in the oldest scenes.
-        let mut behind = Rgb::WHITE;
         let mut through = 1.0;
         let mut top_normal = spot.normal;
         let first_mirror = self.mirrors.len();
@@ -109,6 +107,7 @@ impl Tracer<'_> {
                 top_normal = normal;
             }
             let color = layer.color(spot, frame, normal);
+            let color = scene.layering.seen(color, number + 1 == layers.len());
             let opacity = scene.layering.opacity(&color);
             let mut own = color.rgb.mul_each(finish.ambient + finish.emission) * opacity;
             if finish.lit {
@@ -132,12 +131,11 @@ impl Tracer<'_> {
                     passes = passes.mul_each(share.map(|s| (1.0 - s).max(0.0)));
                 }
             }
-            behind = behind.mul_each(passes);
-            filter = filter.mul_each(scene.layering.seen_below(&color, passes));
+            filter = filter.mul_each(passes);
             through = filter.map(f64::abs).max_element().min(1.0);
         }
         let totally = through > scene.adc_bailout
-            && self.seen_through(spot, top_normal, behind, weight * through, top, &mut seen);
+            && self.seen_through(spot, top_normal, filter, weight * through, top, &mut seen);
         for i in first_mirror..self.mirrors.len() {
             let mirrored = self.mirrors[i];
             // Total reflection takes the place of mirrors that lie the same way.
