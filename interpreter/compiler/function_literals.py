@@ -126,7 +126,7 @@ class FunctionLiterals(Calls):
         body = self._body(arguments[3], {**scope, arguments[0].name: index})
         self.emit.at(node)
         kind, number = self.emit.constant(node.name), self.emit.constant(index)
-        return self.emit.call("Accumulate", kind, number, first, last, body)
+        return self.emit.call("accumulate", kind, number, first, last, body)
 
     def _function_call(
         self,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Final, Literal
 
 from minipov.interpreter.context import current_context
 from minipov.interpreter.errors import SdlError
@@ -11,6 +11,7 @@ from minipov.interpreter.items import FunctionImage, Sink, Word, complete
 from minipov.interpreter.runtime.splines import evaluate
 from minipov.interpreter.values import Vector, kind_of
 from minipov.tracer.function import (
+    Accumulate,
     Call,
     Constant,
     Expression,
@@ -75,6 +76,9 @@ def expand(function: Function, values: Sequence[Any]) -> tuple[float, ...]:
     return tuple(values)
 
 
+MOST_TURNS: Final = 1e9
+"""A `sum` or `prod` of more turns is refused; the core gives no number for one that it meets later."""
+
 _cache: dict[int, tuple[Function, Any]] = {}
 
 
@@ -88,7 +92,7 @@ def compiled_function(function: Function) -> Any:
     try:
         context = current_context()
         compiled = _core.Function(function, context.noise_generator, context.scene.settings.number_of_waves)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise SdlError(str(error)) from None
     _cache[id(function)] = (function, compiled)
     return compiled
@@ -137,6 +141,15 @@ def function_call(callee: Any, arguments: tuple[Expression, ...], component: int
         )
         return Operation("+", (Operation("+", (red, green)), blue))
     return Call(callee, arguments, component)
+
+
+def accumulate(
+    operator: Literal["sum", "prod"], index: int, first: Expression, last: Expression, body: Expression
+) -> Accumulate:
+    """``sum(i, first, last, body)`` or ``prod(...)``."""
+    if isinstance(first, Constant) and isinstance(last, Constant) and last.value - first.value > MOST_TURNS:
+        raise SdlError(f"{operator}() from {first.value:g} to {last.value:g} would never end")
+    return Accumulate(operator, index, first, last, body)
 
 
 def internal_function(number: float) -> InternalFunction:

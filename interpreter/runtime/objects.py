@@ -26,7 +26,10 @@ def _question(value: Any) -> Any:
         raise SdlError(f"expected an object, found {kind_of(value)}")
     from minipov.tracer import _core
 
-    question = _core.Question(value)
+    try:
+        question = _core.Question(value)
+    except RecursionError as error:
+        raise SdlError(str(error)) from None
     while len(_asked) >= _MOST_KEPT:
         del _asked[next(iter(_asked))]
     _asked[id(value)] = (value, question)

@@ -94,3 +94,22 @@ def test_an_endless_loop_can_be_interrupted(tmp_path: Path) -> None:
     finally:
         process.kill()
         process.communicate()
+
+
+NEST = "#declare I = 0; #while (I < 4000) {} #declare I = I + 1; #end"
+UNENDING = {
+    "objects": ("#declare O = sphere { 0, 1 }" + NEST.format("#declare O = union { object { O } sphere { x, 1 } }") * 2
+                + "#declare E = min_extent(O);", "nested too deeply"),
+    "functions": ("#declare F = function { x }" + NEST.format(
+        "#declare G = function { F(x, y, z) + 1 } #undef F #declare F = function { G(x, y, z) } #undef G")
+        + "#declare A = F(1, 2, 3);", "nested too deeply"),
+    "sum": ("#declare F = function { sum(i, 0, 1e300, x) }", "would never end"),
+    "product": ("#declare F = function { prod(i, 0, 1e10, x) }", "would never end"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", UNENDING)
+def test_what_would_never_end(name: str) -> None:
+    scene, message = UNENDING[name]
+    with pytest.raises(SdlError, match=message):
+        load_text(scene)

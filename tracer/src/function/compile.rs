@@ -10,7 +10,6 @@ use super::program::{Site, Step};
 use super::registers;
 use super::Program;
 use crate::graph::function::{Accumulate, AccumulateKind, Call, Expression, Operation};
-use crate::graph::Shared;
 use crate::texture::Builder;
 
 /// The number of a value while compiling.
@@ -236,9 +235,15 @@ impl<'a> Compiler<'a> {
     fn call(&mut self, node: &Call, scope: &[Value]) -> Value {
         let arguments: Vec<Value> = node.arguments.iter().map(|a| self.expression(a, scope)).collect();
         let component = node.component.unwrap_or(0);
+        let key = Key::Call(node.function.address(), arguments.clone().into());
         if let crate::graph::Function::Expression(function) = &*node.function {
+            if let Some(&known) = self.known.get(&key) {
+                return known;
+            }
             if self.steps.len() < MOST_INLINED {
-                return self.expression(&function.body, &arguments);
+                let value = self.expression(&function.body, &arguments);
+                self.known.insert(key, value);
+                return value;
             }
         }
         let Some(function) = self.builder.function(&node.function) else { return self.constant(0.0) };
@@ -246,7 +251,6 @@ impl<'a> Compiler<'a> {
             return self.transformed(transform, &arguments, component);
         }
         let size = function.size as Value;
-        let key = Key::Call(Shared::address(&node.function), arguments.clone().into());
         let first = match self.known.get(&key) {
             Some(&known) => known,
             None => {

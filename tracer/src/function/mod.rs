@@ -8,6 +8,7 @@ mod callee;
 mod compile;
 mod internal;
 mod operators;
+pub mod patience;
 mod program;
 mod registers;
 mod spline;

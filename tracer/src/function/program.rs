@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::callee::Callee;
 use super::operators::{Binary, Unary};
+use super::patience;
 
 /// One step. `R` names a value: numbered values while compiling, registers in a finished program.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -155,18 +156,25 @@ impl Program {
                 }
                 Step::Jump { target } => next = target as usize,
                 Step::Loop { product, total, index, first, last, end } => {
-                    at!(total) = if product { 1.0 } else { 0.0 };
+                    let endless = at!(last) - at!(first) > patience::MOST_TURNS;
+                    at!(total) = if endless { f64::NAN } else { f64::from(u8::from(product)) };
                     at!(index) = at!(first);
-                    let any = at!(first) <= at!(last);
+                    let any = at!(first) <= at!(last) && !endless;
                     next = if any { next } else { end as usize };
                 }
                 Step::Turn { product, total, index, last, value, body } => {
                     at!(total) = if product { at!(total) * at!(value) } else { at!(total) + at!(value) };
                     at!(index) += 1.0;
                     let more = at!(index) <= at!(last);
+                    if more && at!(index) as u64 % patience::TURNS_AT_ONCE == 0 && patience::is_over() {
+                        return f64::NAN;
+                    }
                     next = if more { body as usize } else { next };
                 }
                 Step::Call { site } => {
+                    if patience::is_over() {
+                        return f64::NAN;
+                    }
                     let site = &self.sites[site as usize];
                     let mut given = [0.0; 16];
                     let mut many = Vec::new();

@@ -12,12 +12,12 @@ macro_rules! from_class_name {
             fn extract(obj: pyo3::Borrowed<'_, 'py, pyo3::PyAny>) -> pyo3::PyResult<$type> {
                 use pyo3::types::{PyAnyMethods, PyStringMethods, PyTypeMethods};
                 let class = obj.get_type().name()?;
-                match class.to_str()? {
+                crate::graph::nesting::level(|| match class.to_str()? {
                     $(stringify!($class) => Ok($type::$variant(obj.extract()?)),)*
                     other => Err(pyo3::exceptions::PyTypeError::new_err(format!(
                         "{other} is no {}", stringify!($type)
                     ))),
-                }
+                })
             }
         }
     };

@@ -7,11 +7,12 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 
-use super::{Shared, Unsupported};
+use super::{nesting, Shared, Unsupported};
 use crate::color::{Rgb, Rgbft};
 use crate::math::{Transform, Vec3};
 
-type Node = Arc<dyn Any + Send + Sync>;
+/// A node and its levels (`nesting`).
+type Node = (Arc<dyn Any + Send + Sync>, usize);
 
 thread_local! {
     #[allow(clippy::type_complexity)] // one table, read as a whole
@@ -35,6 +36,7 @@ pub fn collect_unsupported<T>(convert: impl FnOnce() -> PyResult<T>) -> PyResult
     let result = convert();
     NODES.take();
     let unsupported = UNSUPPORTED.take();
+    nesting::end()?;
     Ok((result?, unsupported))
 }
 
@@ -47,11 +49,13 @@ where
     fn extract(obj: Borrowed<'a, 'py, PyAny>) -> PyResult<Shared<T>> {
         let key = (obj.as_ptr() as usize, TypeId::of::<T>());
         let known = NODES.with_borrow(|nodes| nodes.get(&key).map(|(_, node)| node.clone()));
-        if let Some(node) = known {
+        if let Some((node, levels)) = known {
+            nesting::reused(levels);
             return Ok(Shared::from_arc(node.downcast().expect("the key holds the type")));
         }
-        let node = Arc::new(obj.extract::<T>().map_err(Into::into)?);
-        NODES.with_borrow_mut(|nodes| nodes.insert(key, (obj.to_owned().unbind(), node.clone())));
+        let (node, levels) = nesting::measured(|| obj.extract::<T>());
+        let node = Arc::new(node.map_err(Into::into)?);
+        NODES.with_borrow_mut(|nodes| nodes.insert(key, (obj.to_owned().unbind(), (node.clone(), levels))));
         Ok(Shared::from_arc(node))
     }
 }

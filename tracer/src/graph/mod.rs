@@ -11,6 +11,8 @@ pub mod function;
 pub mod image;
 pub mod interior;
 pub mod light;
+#[cfg(feature = "python")]
+pub(crate) mod nesting;
 pub mod normal;
 pub mod objects;
 pub mod pattern;
@@ -33,3 +35,6 @@ pub use values::{Vec2, Vec4};
 
 #[cfg(feature = "python")]
 pub use from_python::{collect_unsupported, report_unsupported};
+
+/// What a thread needs as stack to walk the deepest graph that is allowed (`nesting`).
+pub const STACK_BYTES: usize = 256 << 20;

@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 
 use crate::accel::RayKind;
 use crate::graph::settings::RenderSettings;
-use crate::graph::{collect_unsupported, scene::Scene, Unsupported};
+use crate::graph::{collect_unsupported, scene::Scene, Unsupported, STACK_BYTES};
 use crate::prepare::prepare;
 use crate::render::Job;
 
@@ -39,16 +39,23 @@ impl RenderJob {
     ) -> PyResult<RenderJob> {
         let earlier = earlier.map(|pixels| begun(&pixels, &settings)).transpose()?;
         let started = Instant::now();
-        let (scene, mut unsupported) = collect_unsupported(|| scene.extract::<Scene>())?;
-        let job = py.detach(|| {
-            let (scene, left_out) = prepare(&scene, &settings);
-            unsupported.extend(left_out);
-            let mut job = Job::new(scene, &settings);
-            if let Some(earlier) = earlier {
-                job.take_over(earlier);
-            }
-            Arc::new(job)
-        });
+        let scene = scene.clone().unbind();
+        let made = py.detach(|| {
+            on_deep_stack(move || {
+                let (scene, mut unsupported) = Python::attach(|py| {
+                    let scene = scene.into_bound(py);
+                    collect_unsupported(|| scene.extract::<Scene>())
+                })?;
+                let (scene, left_out) = prepare(&scene, &settings);
+                unsupported.extend(left_out);
+                let mut job = Job::new(scene, &settings);
+                if let Some(earlier) = earlier {
+                    job.take_over(earlier);
+                }
+                PyResult::Ok((Arc::new(job), unsupported))
+            })
+        })?;
+        let (job, unsupported) = made?;
         let prepare_time = started.elapsed();
         let running = Arc::clone(&job);
         let threads = std::thread::Builder::new().name("render".into()).spawn(move || {
@@ -127,6 +134,16 @@ impl RenderJob {
         statistics.set_item("trace_seconds", self.trace_time.as_secs_f64())?;
         Ok(statistics)
     }
+}
+
+/// Runs in a thread whose stack holds the deepest scene that is allowed.
+fn on_deep_stack<T: Send>(work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, work)?;
+        thread
+            .join()
+            .map_err(|_| PyRuntimeError::new_err("preparing the scene failed; this is a bug in minipov"))
+    })
 }
 
 impl RenderJob {

@@ -1,7 +1,7 @@
 //! A picture in the making: threads take tiles, the caller looks on, or stops it.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 use rayon::prelude::*;
 
@@ -9,7 +9,9 @@ use super::tile::{tiles, Tile};
 use super::view::{Size, View};
 use super::Picture;
 use crate::accel::Counters;
+use crate::function::patience;
 use crate::graph::settings::RenderSettings;
+use crate::graph::STACK_BYTES;
 use crate::photon::PhotonMap;
 use crate::prepare::Scene;
 use crate::radiosity::{Cache, Indirect, Settings};
@@ -22,7 +24,7 @@ pub struct Job {
     tiles: Vec<Tile>,
     picture: Picture,
     done: AtomicUsize,
-    cancelled: AtomicBool,
+    cancelled: Arc<AtomicBool>,
     counters: Mutex<Counters>,
 }
 
@@ -49,7 +51,7 @@ impl Job {
             picture: Picture::empty(width, height),
             settings: settings.clone(),
             done: AtomicUsize::new(0),
-            cancelled: AtomicBool::new(false),
+            cancelled: Arc::default(),
             counters: Mutex::default(),
         }
     }
@@ -65,7 +67,12 @@ impl Job {
 
     /// Renders until finished or cancelled.
     pub fn run(&self) {
-        let threads = rayon::ThreadPoolBuilder::new().num_threads(self.settings.threads).build();
+        let cancelled = Arc::clone(&self.cancelled);
+        let threads = rayon::ThreadPoolBuilder::new()
+            .num_threads(self.settings.threads)
+            .stack_size(STACK_BYTES)
+            .start_handler(move |_| patience::heed(&cancelled))
+            .build();
         match threads {
             Ok(pool) => pool.install(|| self.render_passes()),
             // Without threads of its own the render uses those that are there.
