@@ -102,10 +102,9 @@ def _read_palette(path: Path) -> _Stored | None:
             if not (grey or (picture.mode == "P" and kind in _PALETTE_FORMATS)):
                 return None
             index = np.asarray(picture, np.uint16)
-            if grey:
-                picture = picture.convert("P")
-            names = picture.palette.mode if picture.palette else "RGB"
-            palette = np.array(picture.getpalette(names) or [], np.float64).reshape(-1, len(names))[:, :3] / 255
+            indexed = picture.convert("P") if grey else picture
+            names = indexed.palette.mode if indexed.palette else "RGB"
+            palette = np.array(indexed.getpalette(names) or [], np.float64).reshape(-1, len(names))[:, :3] / 255
             clear = picture.info.get("transparency")
             curve = _png_curve(picture.info)
     except (UnidentifiedImageError, SyntaxError, ValueError):
