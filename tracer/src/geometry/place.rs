@@ -145,7 +145,8 @@ impl<'a> Placer<'a> {
                 placed(Shape::Isosurface(Arc::new(Isosurface::new(s, function))))
             }
             S::JuliaFractal(s) => {
-                let fractal = JuliaFractal::new(s).ok_or("julia_fractal of an unknown function")?;
+                let fractal = JuliaFractal::new(s)
+                    .ok_or("julia_fractal of an unknown function, or of what is no number")?;
                 placed(Shape::JuliaFractal(Box::new(fractal)))
             }
             other => Err(other.name().to_lowercase()),

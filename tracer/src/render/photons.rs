@@ -6,6 +6,9 @@ use super::{Job, Random};
 use crate::photon::{rings, Aim, Allowed, Photon, PhotonMap, Settings};
 use crate::shade::Interiors;
 
+/// More photons than this are not shot: they would fill the memory of any machine.
+const MOST_PHOTONS: f64 = 2e7;
+
 impl Job {
     /// Shoots all photons. Each ring has random numbers of its own, and rings are joined in order, so the map does not
     /// depend on threads.
@@ -67,11 +70,11 @@ impl Job {
                 }
             }
         }
-        if let Some(count) = settings.count {
-            let shots: f64 = aims.iter().map(|aim| aim.area() / aim.spacing.powi(2)).sum();
-            let factor = (shots / count.max(1) as f64).sqrt();
-            aims.iter_mut().for_each(|aim| aim.spacing *= factor);
-        }
+        aims.retain(|aim| aim.spacing > 0.0);
+        let shots: f64 = aims.iter().map(|aim| aim.area() / aim.spacing.powi(2)).sum();
+        let wanted = settings.count.map_or(shots, |count| count.max(1) as f64).min(MOST_PHOTONS);
+        let factor = (shots / wanted).sqrt();
+        aims.iter_mut().for_each(|aim| aim.spacing *= factor);
         aims
     }
 }

@@ -36,6 +36,11 @@ pub struct JuliaFractal {
 impl JuliaFractal {
     /// From SDL's numbers; `None` if there is no such function.
     pub fn new(fractal: &Description) -> Option<JuliaFractal> {
+        let numbers = fractal.parameter.iter().chain(&fractal.slice_normal);
+        let numbers = numbers.chain([&fractal.slice_distance, &fractal.precision]);
+        if numbers.into_iter().any(|number| number.is_nan()) {
+            return None;
+        }
         let parameter = Number(fractal.parameter);
         let function = match fractal.algebra {
             Algebra::Quaternion => Function::named(&fractal.function, fractal.exponent)?,

@@ -36,6 +36,7 @@ impl Sphere {
 
 impl Sphere {
     /// The box around the sphere in a place that only turns it before it is stretched along the axes.
+    /// Where it is not stretched, POV-Ray's box depends on how it was turned: that of a `matrix` is taken.
     pub fn bounds_in(&self, place: &Transform) -> Option<Bounds> {
         let column = |c: usize| vec3(place.rows[0][c], place.rows[1][c], place.rows[2][c]);
         let [x, y, z] = [0, 1, 2].map(column);
@@ -43,7 +44,10 @@ impl Sphere {
         let size = x.length_squared() + y.length_squared() + z.length_squared();
         let reach = vec3(x.length(), y.length(), z.length()) * self.radius.abs();
         let center = place.point(self.center);
-        (skew < 1e-12 * size).then(|| Bounds { min: center - reach, max: center + reach })
+        let stretched =
+            (x.length_squared() - y.length_squared()).abs() + (y.length_squared() - z.length_squared()).abs();
+        (skew < 1e-12 * size && stretched > 1e-12 * size)
+            .then(|| Bounds { min: center - reach, max: center + reach })
     }
 }
 
