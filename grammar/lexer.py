@@ -17,6 +17,7 @@ from lark.lexer import Lexer
 from minipov.grammar.errors import SdlSyntaxError
 from minipov.grammar.keywords import DIRECTIVES, KEYWORDS, Kind
 from minipov.grammar.statements import find_run
+from minipov.grammar.text import decode as decode
 
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _SIGNED = rf"[+-]?{_NUMBER}"
@@ -76,14 +77,6 @@ def unescape(raw: str) -> str:
         return chr(int(code[1:], 16)) if len(code) == 5 else _ESCAPES.get(code, code)
 
     return _ESCAPE.sub(one, raw)
-
-
-def decode(data: bytes) -> str:
-    """The text of a file: UTF-8 with or without byte order mark, else Latin-1 (which takes any byte)."""
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        return data.decode("latin-1")
 
 
 def terminals(version: float) -> dict[str, str]:

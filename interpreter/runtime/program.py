@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from minipov.grammar.text import decode
 from minipov.interpreter.arrays import same_kind
 from minipov.interpreter.constructs.default import set_version
 from minipov.interpreter.context import Context
@@ -58,9 +59,6 @@ class Running:
         known[1]()
 
     def _bound(self, name: str, content: bytes) -> Callable[[], None]:
-        # Only where it is needed: the grammar takes a while to load.
-        from minipov.grammar.lexer import decode
-
         self.sources[name] = decode(content)
         return self.bound(name, self.load(name, content))
 
