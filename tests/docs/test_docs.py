@@ -36,6 +36,21 @@ def test_every_feature_has_the_class_of_its_worst_scene() -> None:
             }, (feature, scene)
 
 
+def test_what_a_feature_names_stands_in_its_scenes() -> None:
+    """A row that claims a class has scenes that use the words it names."""
+    claimed = {"exact", "close"}
+    for row in (row for rows in features_page.FEATURES.values() for row in rows):
+        if features_page.feature_class(row) in claimed:
+            files = [
+                file
+                for path in features_page.evidence(row)
+                for file in ([path] if path.is_file() else path.rglob("*.pov"))
+            ]
+            shown = "".join(file.read_text("utf-8", "replace") for file in files)
+            words = [name.split()[0].lstrip("#").rstrip("…") for name in re.findall(r"`([^`]+)`", row[0])]
+            assert [word for word in words if word not in shown] == [], row[0]
+
+
 def test_every_scene_shows_a_feature() -> None:
     page = features_page.PAGE.read_text("utf-8")
     scenes = {path.relative_to(ROOT).as_posix() for path in features_page.SCENES.glob("**/*.pov")}

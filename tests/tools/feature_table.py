@@ -18,15 +18,20 @@ PATTERNS = (
     "spherical", "spiral1", "spiral2", "spotted", "square", "tiling", "triangular", "waves", "wood", "wrinkles",
 )  # fmt: skip
 
+_PART = {"tiling": " 1 to 24"}
+"""Patterns of which only a part is rendered."""
+
 FEATURES: dict[str, list[Row]] = {
     "Language": [
         ("nested comments, comments inside statements", "tests/language/comments"),
-        ("numbers, constants (`pi`, `tau`), `clock`, `image_width`, `frame_number`, `now`", "tests/language/constants"),
+        ("numbers, constants (`pi`, in 3.8 `tau`), `clock`, `image_width`, `frame_number`, `now`",
+         "tests/language/constants tests/language/additions"),
         ("operators: precedence, relations, logic, choice, promotion of numbers", "tests/language/expressions"),
         ("vectors of 2 to 5 terms, components, arithmetic", "tests/language/vectors"),
         ("colours: `rgb`, `rgbf`, `rgbt`, `rgbft`, `srgb…`, words, arithmetic, components", "tests/language/colours"),
         ("strings, `concat`, `str`, `substr`, `vstr`, `chr`, `strcmp`, escapes", "tests/language/strings"),
-        ("functions of numbers and vectors, `min_extent`, `vrotate`, `vturbulence`", "tests/language/functions"),
+        ("functions of numbers and vectors, `min_extent`, `vrotate`, `vturbulence`",
+         "tests/language/functions tests/language/vectors tests/language/objects"),
         ("`function { … }`: own functions, `pattern`, `pigment`, `transform`, `spline`, `internal`, `sum`, `prod`",
          "tests/language/functions pattern_function* isosurface*"),
         ("`rand`, `seed`: the same numbers", "tests/language/random"),
@@ -38,7 +43,8 @@ FEATURES: dict[str, list[Row]] = {
         ("splines of all types", "tests/language/splines"),
         ("`#include`, search through folders, extensions", "tests/language/includes"),
         ("`#fopen`, `#read`, `#write`, binary words", "tests/language/files"),
-        ("`#debug`, `#warning`, `#error`, `#render`, `#statistics`", "tests/language/streams"),
+        ("`#debug`, `#warning`, `#error`, `#render`, `#statistics`",
+         "tests/language/streams tests/errors"),
         ("`#version` and what it changes, `#default`",
          "tests/language/version tests/language/default version_* texture_default*"),
         ("objects as values, `trace`, `inside`, `min_extent`, `max_extent`", "tests/language/objects"),
@@ -49,7 +55,8 @@ FEATURES: dict[str, list[Row]] = {
         ("`sphere`", "sphere"),
         ("`box`", "box"),
         ("`cone`, `cylinder`, `open`", "cone* cylinder cylinder_open"),
-        ("`torus`, `sturm`; spindle modes of 3.8", "torus*"),
+        ("`torus`, `sturm`", "torus torus_sturm"),
+        ("spindle modes of `torus` (3.8)", "torus_spindle*"),
         ("`blob`: spheres, cylinders, negative strengths, component textures", "blob*"),
         ("`lathe`: four kinds of splines", "lathe*"),
         ("`prism`: splines, holes, conic sweep, `open`", "prism*"),
@@ -58,7 +65,8 @@ FEATURES: dict[str, list[Row]] = {
         ("`sphere_sweep`: three kinds of splines", "sphere_sweep*"),
         ("`height_field`: smooth, `water_level`, 16 bits", "height_field*"),
         ("`isosurface`: containers, `max_gradient`, `evaluate`, `all_intersections`", "isosurface*"),
-        ("`julia_fractal`: quaternions and hypercomplex numbers", "julia_fractal*"),
+        ("`julia_fractal`: `quaternion` and `hypercomplex`, function `sqr`", "julia_fractal"),
+        ("`julia_fractal`: hypercomplex `exp`, `sin`, `pwr`, ...", "julia_fractal_function*"),
         ("`parametric`", "parametric*"),
         ("`text` from TrueType fonts", "text text_[!u]*"),
         ("`ovus`", "ovus*"),
@@ -79,7 +87,8 @@ FEATURES: dict[str, list[Row]] = {
     ],
     "CSG and modifiers": [
         ("`union`, `merge`, `intersection`, `difference`, nested", "csg_*"),
-        ("`inverse`, `split_union`", "csg_inverse"),
+        ("`inverse`", "csg_inverse"),
+        ("`split_union`", "csg_split_union*"),
         ("`cutaway_textures`", "cutaway_textures"),
         ("`clipped_by`, `bounded_by`", "clipped_by bounded_by"),
         ("`no_shadow`, `no_image`, `no_reflection`, `double_illuminate`",
@@ -99,7 +108,8 @@ FEATURES: dict[str, list[Row]] = {
         ("`quick_color` and qualities", "quick_color quality_*"),
         ("`user_defined` (3.8)", "pigment_user_defined*"),
     ],
-    "Patterns": [(f"`{name}`", f"pattern_{name} pattern_{name}_*") for name in PATTERNS],
+    "Patterns": [(f"`{name}`{_PART.get(name, '')}", f"pattern_{name} pattern_{name}_*") for name in PATTERNS]
+    + [("`tiling` 25 to 27", "pattern_tiling_aperiodic*")],
     "Pattern modifiers": [
         ("waves: `ramp_wave`, `sine_wave`, `triangle_wave`, `scallop_wave`, `cubic_wave`, `poly_wave`", "wave_*_wave"),
         ("`frequency`, `phase`", "wave_frequency_*"),
@@ -147,14 +157,15 @@ FEATURES: dict[str, list[Row]] = {
         ("`orthographic`", "camera_orthographic*"),
         ("`fisheye`", "camera_fisheye*"),
         ("`ultra_wide_angle`", "camera_ultra_wide_angle*"),
-        ("`omnimax`", "camera_omnimax*"),
+        ("`omnimax`", "camera_omnimax"),
         ("`panoramic`", "camera_panoramic*"),
         ("`cylinder` 1 to 4", "camera_cylinder_*"),
         ("`spherical`", "camera_spherical*"),
         ("`mesh_camera`", "camera_mesh*"),
         ("`user_defined` (3.8)", "camera_user_defined*"),
-        ("focal blur", "camera_focal_blur*"),
+        ("focal blur, `bokeh`", "camera_focal_blur* camera_bokeh"),
         ("`normal` of a camera", "camera_normal*"),
+        ("`normal` of an `omnimax` camera", "camera_omnimax_normal*"),
     ],
     "Lights": [
         ("point lights, `fade_distance`, `fade_power`", "light_point light_fade*"),
@@ -181,8 +192,10 @@ FEATURES: dict[str, list[Row]] = {
         ("`caustics`", "interior_caustics"),
         ("`dispersion`", "interior_dispersion*"),
         ("`media`: absorption, emission", "media_absorption* media_emission*"),
-        ("`media`: scattering of types 1 to 5", "media_scattering*"),
-        ("`media`: methods, densities, atmospheric media", "media_method* media_density* media_atmosphere*"),
+        ("`media`: `scattering` of types 1 to 5", "media_scattering* media_objects"),
+        ("`media`: `method` 1", "media_monte_carlo*"),
+        ("`media`: methods, densities, atmospheric media",
+         "media_method* media_density* media_atmosphere* media_beams media_intervals"),
     ],
     "Global illumination": [
         ("`radiosity`", "radiosity*"),
