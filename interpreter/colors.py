@@ -25,7 +25,6 @@ def read_color(reader: ItemReader) -> Rgbft:
         SdlError: no colour stands there, or an sRGB colour where no ``assumed_gamma`` was set before.
     """
     reader.comma()
-    place = reader.place
     prefixed = reader.word("color", "colour") is not None
     model = reader.word(*_MODELS)
     color = [0.0] * 5
@@ -34,8 +33,6 @@ def read_color(reader: ItemReader) -> Rgbft:
     elif not reader.next_is(*_COMPONENTS):
         given = reader.terms("a colour", 5)
         color = list(widened(given, 5))
-        if prefixed and len(given) == 1:
-            current_context().messages.warn("a lone number as a colour sets filter and transmit too", place)
         if not prefixed and len(given) < 5:
             return _five(color)
     while (word := reader.word(*_COMPONENTS)) is not None:

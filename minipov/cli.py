@@ -8,7 +8,6 @@ from __future__ import annotations
 import gc
 import importlib
 import os
-import signal
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -17,6 +16,7 @@ from typing import NoReturn, cast
 from minipov import __version__
 from minipov.exit_status import INTERRUPTED, OK, SCENE_ERROR, USAGE_ERROR
 from minipov.include_path import startup_ini
+from minipov.interruption import interrupt_once
 from minipov.options import UsageError, parse_command_line
 
 SUBCOMMANDS = {"check": "minipov.check", "diff": "minipov.compare.command", "lsp": "minipov.editor.server.command"}
@@ -60,7 +60,7 @@ def _subcommand(words: Sequence[str]) -> str | None:
 
 
 def _render(words: Sequence[str]) -> int:
-    signal.signal(signal.SIGINT, signal.default_int_handler)
+    interrupt_once()
     command = parse_command_line(words, startup_ini())
     if command.flag("Help") or not words:
         from minipov.option_help import help_text

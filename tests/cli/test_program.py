@@ -238,9 +238,9 @@ def test_unknown_keys_are_only_warned_of(scene: Path) -> None:
     assert "unknown option Quantity is ignored" in said(run)
 
 
-def interrupted(scene: str, folder: Path, *words: str, after: bytes) -> tuple[int, float, bytes]:
-    """Press Ctrl-C when a run has said ``after`` (a regular expression): its status, the seconds it took to end, and
-    what it said then."""
+def interrupted(scene: str, folder: Path, *words: str, after: bytes, times: int = 1) -> tuple[int, float, bytes]:
+    """Press Ctrl-C, once or more, when a run has said ``after`` (a regular expression): its status, the seconds it took
+    to end, and what it said then."""
     command = [*MINIPOV, scene, *words]
     with subprocess.Popen(command, cwd=folder, env=environment(), stderr=subprocess.PIPE) as program:
         assert program.stderr is not None
@@ -249,8 +249,10 @@ def interrupted(scene: str, folder: Path, *words: str, after: bytes) -> tuple[in
             more = os.read(program.stderr.fileno(), 4096)
             assert more, heard
             heard += more
-        program.send_signal(signal.SIGINT)
         pressed = time.monotonic()
+        for _ in range(times):
+            program.send_signal(signal.SIGINT)
+            time.sleep(0.002)
         _, errors = program.communicate(timeout=20)
         return program.returncode, time.monotonic() - pressed, errors
 
@@ -332,3 +334,11 @@ def test_a_scene_that_is_known_needs_no_grammar(scene: Path) -> None:
     run = subprocess.run(command, cwd=scene.parent, env=environment(), capture_output=True, text=True, check=True)
     for library in ("rich", "lark", "PIL"):
         assert f" {library}\n" not in run.stderr
+
+
+def test_ctrl_c_pressed_again_does_not_spoil_the_picture(tmp_path: Path) -> None:
+    (tmp_path / "slow.pov").write_text(SLOW)
+    status, _, errors = interrupted("slow.pov", tmp_path, "+W640", "+H480", "+V", after=BEGUN, times=20)
+    assert (status, errors.splitlines()[-1]) == (INTERRUPTED, b"error: interrupted")
+    assert b"Traceback" not in errors and b"panicked" not in errors
+    Image.open(tmp_path / "slow.png").load()
