@@ -259,7 +259,7 @@ def interrupted(scene: str, folder: Path, *words: str, after: bytes, times: int 
 
 def test_ctrl_c_while_parsing(tmp_path: Path) -> None:
     (tmp_path / "endless.pov").write_text('#debug "begun\\n"\n#while (1) #declare A = 1; #end')
-    tries = [interrupted("endless.pov", tmp_path, after=b"begun") for _ in range(3)]
+    tries = [interrupted("endless.pov", tmp_path, after=rb"begun\n") for _ in range(3)]
     assert {(status, errors) for status, _, errors in tries} == {(INTERRUPTED, b"error: interrupted\n")}
     # A busy machine may be late now and then.
     assert min(seconds for _, seconds, _ in tries) < 1
