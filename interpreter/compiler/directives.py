@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from abc import abstractmethod
 from collections.abc import Sequence
 
 from minipov.grammar import tree
@@ -46,9 +47,9 @@ class Directives(Declarations):
                 self._simple(node)
         return at + 1
 
+    @abstractmethod
     def macro(self, node: tree.Macro) -> None:
         """``#macro``: a function of its own."""
-        raise NotImplementedError
 
     # --- choices ---
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from abc import abstractmethod
 from collections.abc import Sequence
 from typing import Final
 
@@ -20,17 +21,17 @@ _RELATIONS: Final = frozenset({*_ORDER, "=", "!=", "<=", ">="})
 class Expressions(Body):
     """Compiles expressions. Arithmetic becomes Python's; what Python does otherwise goes through `operators`."""
 
+    @abstractmethod
     def call(self, node: tree.Call) -> ast.expr:
         """A call of a macro, function or spline."""
-        raise NotImplementedError
 
+    @abstractmethod
     def builtin_call(self, node: tree.BuiltinCall) -> ast.expr:
         """A call of one of the language's own functions."""
-        raise NotImplementedError
 
+    @abstractmethod
     def function_literal(self, node: tree.FunctionLiteral) -> ast.expr:
         """``function { ... }``."""
-        raise NotImplementedError
 
     def value(self, node: tree.Expression) -> ast.expr:
         """An expression where exactly one value must stand."""

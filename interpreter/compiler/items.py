@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from abc import abstractmethod
 from collections.abc import Sequence
 
 from minipov.grammar import tree
@@ -26,9 +27,9 @@ class Run:
 class Items(FunctionLiterals):
     """Compiles sequences of items into statements that push them."""
 
+    @abstractmethod
     def directive(self, items: Sequence[tree.Item], at: int) -> int:
         """Statements for the directive ``items[at]``; gives the index after it (and after a declaration's value)."""
-        raise NotImplementedError
 
     def items(self, items: Sequence[tree.Item]) -> None:
         """Statements that push items, and do what directives among them say."""
@@ -199,13 +200,13 @@ class Items(FunctionLiterals):
                 return [sign, *self.open_terms(operand)]
         return [self.value(node)]
 
+    @abstractmethod
     def statements_alike(self, node: tree.Statements) -> None:
         """Many statements of a few shapes."""
-        raise NotImplementedError
 
+    @abstractmethod
     def array(self, items: Sequence[tree.Item], at: int, run: Run) -> tuple[ast.expr, int]:
         """``array[n] { ... }``; gives its value and the index after it."""
-        raise NotImplementedError
 
 
 _SIGNS: dict[str, str] = {"+": "PLUS", "-": "MINUS", "*": "TIMES", "/": "OVER", "!": "NOT"}
