@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NoReturn, TypeAlias, TypeVar
+from typing import Any, Final, NoReturn, TypeAlias, TypeVar
 
 from minipov.interpreter.colors import COLOR_WORDS, read_color
+from minipov.interpreter.context import current_context
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import COMMA, Block, Item, Punctuation, Unread, Word
 from minipov.interpreter.values import Vector, kind_of
@@ -13,6 +14,8 @@ from minipov.tracer.values import Rgb, Rgbft, Vec2, Vec3, Vec4
 
 T = TypeVar("T")
 Terms: TypeAlias = tuple[float, ...]
+
+LARGEST_INTEGER: Final = 2**31 - 1
 
 
 class ItemReader:
@@ -129,8 +132,18 @@ class ItemReader:
         return self.terms("a number", 1)[0]
 
     def integer(self) -> int:
-        """A float, cut to an integer towards zero."""
-        return int(self.float())
+        """A float, cut to an integer towards zero; one beyond 32 bits becomes the last that has so many, and
+        what is no number the least."""
+        return int(min(max(-LARGEST_INTEGER, self.float()), LARGEST_INTEGER))
+
+    def count(self, most: int = LARGEST_INTEGER, least: int = 0) -> int:
+        """An integer that says how many; what is beyond the limits is taken as the limit, with a warning."""
+        value = self.integer()
+        taken = min(max(value, least), most)
+        if value != taken:
+            text = f"{self.name}: {value} is beyond {least} to {most}, taken as {taken}"
+            current_context().messages.warn(text, self._places[self._at - 1])
+        return taken
 
     def boolean(self) -> bool:
         """An optional float; missing means on."""

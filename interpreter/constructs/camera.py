@@ -179,11 +179,14 @@ def _read_other(reader: ItemReader, context: Context, said: _Said) -> bool:
     return block is not None
 
 
+MOST_BLUR_SAMPLES: Final = 10_000
+
+
 def _blur_samples(reader: ItemReader) -> tuple[int, int]:
-    first = reader.integer()
+    first = reader.count(MOST_BLUR_SAMPLES)
     if not reader.is_number():
         return (4 if first < 7 else 7, first)
-    second = reader.integer()
+    second = reader.count(MOST_BLUR_SAMPLES)
     return (min(first, second), max(first, second))
 
 

@@ -10,7 +10,7 @@ from typing import Any, NoReturn, TypeAlias
 import numpy as np
 from minipov.interpreter import registry
 from minipov.interpreter.items import Unread, Word
-from minipov.interpreter.reader import ItemReader
+from minipov.interpreter.reader import LARGEST_INTEGER, ItemReader
 from minipov.interpreter.values import Vector
 from numpy.typing import NDArray
 
@@ -26,6 +26,11 @@ def number(field: str) -> Field:
 def integer(field: str) -> Field:
     """``word I``."""
     return lambda reader: {field: reader.integer()}
+
+
+def count(field: str, most: int = LARGEST_INTEGER, least: int = 0) -> Field:
+    """``word I`` that says how many, within limits."""
+    return lambda reader: {field: reader.count(most, least)}
 
 
 def boolean(field: str) -> Field:
@@ -64,11 +69,11 @@ def text(field: str) -> Field:
 
 
 def one_or_two_integers(field: str, second: Callable[[int], int]) -> Field:
-    """``word I[, I]``; ``second`` gives the second from the first where it is missing."""
+    """``word I[, I]``, which say how many; ``second`` gives the second from the first where it is missing."""
 
     def read(reader: ItemReader) -> dict[str, Any]:
-        first = reader.integer()
-        return {field: (first, reader.integer() if reader.is_number() else second(first))}
+        first = reader.count()
+        return {field: (first, reader.count() if reader.is_number() else second(first))}
 
     return read
 

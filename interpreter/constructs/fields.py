@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Final
 
-from minipov.interpreter.constructs.common import Field, integer, number, read_fields, switch
+from minipov.interpreter.constructs.common import Field, count, number, read_fields, switch
 from minipov.interpreter.constructs.patterns import FUNCTION_TYPES
 from minipov.interpreter.constructs.shape import shape
 from minipov.interpreter.context import Context
@@ -142,7 +142,7 @@ def _slice(reader: ItemReader) -> dict[str, Any]:
 
 
 JULIA_FIELDS: Final[dict[str, Field]] = {
-    "max_iteration": integer("max_iteration"),
+    "max_iteration": count("max_iteration", 10_000),
     "precision": number("precision"),
     "slice": _slice,
     "quaternion": lambda reader: {"algebra": "quaternion"},

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
+from minipov.interpreter.errors import SdlError
 from minipov.interpreter.items import FunctionImage
 from minipov.interpreter.runtime.evaluate import compiled_function
 from minipov.tracer.function import PigmentFunction
@@ -41,7 +42,12 @@ def sampled_heights(source: FunctionImage) -> NDArray[np.float64]:
     return heights
 
 
+MOST_PIXELS: Final = 1 << 26
+
+
 def _values(source: FunctionImage) -> NDArray[np.float64]:
+    if source.width * source.height > MOST_PIXELS:
+        raise SdlError(f"a function image of {source.width} by {source.height} pixels is too large")
     flat = compiled_function(source.function).unit_square(source.width, source.height)
     return np.array(flat, dtype=np.float64).reshape(source.height, source.width, -1)
 

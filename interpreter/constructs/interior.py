@@ -16,7 +16,7 @@ from minipov.tracer.interior import Interior, Media
 INTERIOR_FIELDS: Final[dict[str, Field]] = {
     "ior": number("ior"),
     "dispersion": number("dispersion"),
-    "dispersion_samples": lambda reader: {"dispersion_samples": max(reader.integer(), 2)},
+    "dispersion_samples": lambda reader: {"dispersion_samples": reader.count(1000, 2)},
     "caustics": number("caustics"),
     "fade_distance": number("fade_distance"),
     "fade_power": number("fade_power"),

@@ -55,6 +55,7 @@ ACCEPTS: Final = (
     *AREA_FIELDS,
     *TRANSFORM_WORDS,
 )
+MOST_LAMPS: Final = 1000
 SPOTLIGHT_CONES: Final = (30.0, 45.0)
 CYLINDER_RADII: Final = (0.75, 1.0)
 
@@ -125,7 +126,7 @@ def _area_light(reader: ItemReader, old: AreaLight | None) -> AreaLight:
 
 def _area_size(reader: ItemReader) -> int:
     """How many lamps stand along one axis; its sign does not matter."""
-    size = abs(reader.integer())
+    size = abs(reader.count(MOST_LAMPS, -MOST_LAMPS))
     if size == 0:
         reader.refuse("an area_light of at least one lamp along each axis")
     return size

@@ -8,6 +8,7 @@ from typing import Any, Final
 from minipov.interpreter.constructs.common import (
     Field,
     boolean,
+    count,
     integer,
     number,
     one_or_two_integers,
@@ -25,10 +26,10 @@ from minipov.tracer.interior import Density, Media, Scattering
 
 MEDIA_FIELDS: Final[dict[str, Field]] = {
     "method": integer("method"),
-    "intervals": integer("intervals"),
+    "intervals": count("intervals"),
     "samples": one_or_two_integers("samples", lambda first: first),
     "aa_threshold": number("aa_threshold"),
-    "aa_level": integer("aa_level"),
+    "aa_level": count("aa_level", 16),
     "confidence": number("confidence"),
     "variance": number("variance"),
     "ratio": number("ratio"),

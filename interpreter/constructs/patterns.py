@@ -64,6 +64,8 @@ FUNCTION_TYPES: Final[tuple[type[functions.Function], ...]] = (
 )
 PATTERN_BLOCKS: Final[tuple[type[Pattern], ...]] = (ImageMap, ImagePattern, PigmentPattern, Potential, Slope)
 
+MOST_ITERATIONS: Final = 100_000
+
 
 def _simple(name: str) -> Callable[[ItemReader, Context], Pattern]:
     pattern = SimplePattern(name)
@@ -72,11 +74,11 @@ def _simple(name: str) -> Callable[[ItemReader, Context], Pattern]:
 
 def _julia(reader: ItemReader, context: Context) -> Pattern:
     coordinate = reader.vector2()
-    return Fractal(reader.integer(), coordinate)
+    return Fractal(reader.count(MOST_ITERATIONS), coordinate)
 
 
 def _mandel(reader: ItemReader, context: Context) -> Pattern:
-    return Fractal(reader.integer())
+    return Fractal(reader.count(MOST_ITERATIONS))
 
 
 def _magnet(reader: ItemReader, context: Context) -> Pattern:
@@ -88,7 +90,7 @@ def _magnet(reader: ItemReader, context: Context) -> Pattern:
         coordinate = reader.vector2()
     elif not reader.word("mandel"):
         reader.fail("'mandel' or 'julia' after magnet")
-    return Fractal(reader.integer(), coordinate, kind)
+    return Fractal(reader.count(MOST_ITERATIONS), coordinate, kind)
 
 
 def _facets(reader: ItemReader, context: Context) -> Pattern:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, Final
 
-from minipov.interpreter.constructs.common import Field, integer, number, read_fields, rgb, text, unexpected
+from minipov.interpreter.constructs.common import Field, count, integer, number, read_fields, rgb, text, unexpected
 from minipov.interpreter.constructs.image_maps import read_gamma
 from minipov.interpreter.context import Context
 from minipov.interpreter.errors import Place
@@ -15,6 +15,7 @@ from minipov.interpreter.registry import construct
 from minipov.tracer.settings import GlobalSettings, Photons, Radiosity, SubsurfaceSettings
 
 LARGEST_TRACE_LEVEL: Final = 256
+MOST_RAYS: Final = 10_000
 
 
 def _noise_generator(reader: ItemReader) -> dict[str, Any]:
@@ -107,13 +108,13 @@ def _switch_with_value(field: str) -> Field:
 
 
 def _count(reader: ItemReader) -> dict[str, Any]:
-    first = reader.integer()
-    return {"count": (first, max(first, reader.integer()) if reader.is_number() else max(first, 1600))}
+    first = reader.count(MOST_RAYS)
+    return {"count": (first, max(first, reader.count()) if reader.is_number() else max(first, 1600))}
 
 
 def _nearest_count(reader: ItemReader) -> dict[str, Any]:
     first = min(max(reader.integer(), 1), 20)
-    return {"nearest_count": (first, reader.integer() if reader.is_number() else 0)}
+    return {"nearest_count": (first, reader.count() if reader.is_number() else 0)}
 
 
 def _recursion_limit(reader: ItemReader) -> dict[str, Any]:
@@ -191,14 +192,14 @@ def _photon_radius(reader: ItemReader) -> dict[str, Any]:
 
 PHOTON_FIELDS: Final[dict[str, Field]] = {
     "spacing": number("spacing"),
-    "count": lambda reader: {"count": reader.integer(), "spacing": None},
-    "gather": lambda reader: {"gather": (reader.integer(), reader.integer())},
-    "media": lambda reader: {"media": (reader.integer(), reader.float() if reader.is_number() else 1.0)},
+    "count": lambda reader: {"count": reader.count(), "spacing": None},
+    "gather": lambda reader: {"gather": (reader.count(), reader.count())},
+    "media": lambda reader: {"media": (reader.count(), reader.float() if reader.is_number() else 1.0)},
     "jitter": number("jitter"),
-    "max_trace_level": integer("max_trace_level"),
+    "max_trace_level": count("max_trace_level", LARGEST_TRACE_LEVEL),
     "adc_bailout": number("adc_bailout"),
     "autostop": number("autostop"),
-    "expand_thresholds": lambda reader: {"expand_thresholds": (reader.float(), reader.integer())},
+    "expand_thresholds": lambda reader: {"expand_thresholds": (reader.float(), reader.count())},
     "radius": _photon_radius,
     "save_file": text("save_file"),
     "load_file": text("load_file"),
@@ -236,7 +237,7 @@ def photons(reader: ItemReader, context: Context, sink: Sink) -> Photons:
 def subsurface(reader: ItemReader, context: Context, sink: Sink) -> SubsurfaceSettings:
     said: dict[str, Any] = {}
     table: dict[str, Field] = {
-        "samples": lambda r: {"samples": (r.integer(), r.integer())},
+        "samples": lambda r: {"samples": (r.count(10_000), r.count(10_000))},
         "radiosity": lambda r: {"radiosity": r.boolean()},
     }
     while not reader.at_end:

@@ -33,16 +33,13 @@ pub struct Settings {
     pub recursion_limit: u32,
 }
 
-/// A hemisphere of more rays is no better.
-const MOST_RAYS: usize = 10_000;
-
 impl From<&graph::Radiosity> for Settings {
     fn from(r: &graph::Radiosity) -> Settings {
         Settings {
             adc_bailout: r.adc_bailout,
             always_sample: r.always_sample,
             brightness: r.brightness,
-            count: r.count.0.clamp(1, MOST_RAYS),
+            count: r.count.0.max(1),
             error_bound: r.error_bound,
             gray_threshold: r.gray_threshold,
             low_error_factor: r.low_error_factor,
