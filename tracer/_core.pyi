@@ -8,6 +8,8 @@ from minipov.tracer.settings import RenderSettings
 from minipov.tracer.values import Vec3
 from numpy.typing import NDArray
 
+MOST_TURNS: float
+
 class Function:
     def __init__(self, function: function.Function, noise_generator: int = 2, number_of_waves: int = 10) -> None: ...
     def __call__(self, *arguments: float) -> float | tuple[float, ...]: ...

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Final, Literal
+from typing import Any, Literal
 
 from minipov.interpreter.context import current_context
 from minipov.interpreter.errors import SdlError
@@ -76,9 +76,6 @@ def expand(function: Function, values: Sequence[Any]) -> tuple[float, ...]:
     return tuple(values)
 
 
-MOST_TURNS: Final = 1e9
-"""A `sum` or `prod` of more turns is refused; the core gives no number for one that it meets later."""
-
 _cache: dict[int, tuple[Function, Any]] = {}
 
 
@@ -147,7 +144,9 @@ def accumulate(
     operator: Literal["sum", "prod"], index: int, first: Expression, last: Expression, body: Expression
 ) -> Accumulate:
     """``sum(i, first, last, body)`` or ``prod(...)``."""
-    if isinstance(first, Constant) and isinstance(last, Constant) and last.value - first.value > MOST_TURNS:
+    from minipov.tracer import _core
+
+    if isinstance(first, Constant) and isinstance(last, Constant) and last.value - first.value > _core.MOST_TURNS:
         raise SdlError(f"{operator}() from {first.value:g} to {last.value:g} would never end")
     return Accumulate(operator, index, first, last, body)
 

@@ -4,14 +4,19 @@ mod function;
 mod question;
 mod render;
 
-use pyo3::prelude::*;
-
 #[pymodule]
 mod _core {
+    use pyo3::prelude::*;
+
     #[pymodule_export]
     use super::function::{vturbulence, Function};
     #[pymodule_export]
     use super::question::Question;
     #[pymodule_export]
     use super::render::RenderJob;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("MOST_TURNS", crate::function::patience::MOST_TURNS)
+    }
 }
