@@ -4,6 +4,8 @@ mod function;
 mod question;
 mod render;
 
+use pyo3::prelude::*;
+
 #[pymodule]
 mod _core {
     use pyo3::prelude::*;
