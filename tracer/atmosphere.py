@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from minipov.tracer.pigment import ColorMap, Pigment
@@ -25,17 +26,20 @@ class Fog:
 
 @dataclass(frozen=True, slots=True)
 class Rainbow:
-    """``rainbow { direction V angle F width F distance F color_map {...} ... }``, angles in degrees."""
+    """``rainbow { direction V angle F width F distance F color_map {...} ... }``, angles in degrees.
+
+    Without a width or colours nothing is seen of it. An infinite `arc_angle` is the whole circle.
+    """
 
     direction: Vec3
-    angle: float
-    width: float
-    color_map: ColorMap
+    angle: float = 0.0
+    width: float = 0.0
+    color_map: ColorMap | None = None
     distance: float = 1e7
     jitter: float = 0.0
     up: Vec3 = (0.0, 1.0, 0.0)
-    arc_angle: float = 180.0
-    falloff_angle: float = 180.0
+    arc_angle: float = math.inf
+    falloff_angle: float = math.inf
 
 
 @dataclass(frozen=True, slots=True)

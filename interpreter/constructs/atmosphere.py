@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
+from dataclasses import fields, replace
 from typing import Any, Final
 
 from minipov.interpreter.constructs.common import (
@@ -24,7 +25,7 @@ from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.atmosphere import Fog, Rainbow, SkySphere
 from minipov.tracer.pigment import ColorMap, Pigment
-from minipov.tracer.values import OPAQUE_BLACK
+from minipov.tracer.values import OPAQUE_BLACK, Vec3
 from minipov.tracer.warp import Turbulence
 
 
@@ -56,9 +57,9 @@ FOG_ACCEPTS: Final = (*FOG_FIELDS, *TURBULENCE_FIELDS, *TRANSFORM_WORDS, "color"
 def fog(reader: ItemReader, context: Context, sink: Sink) -> Fog:
     result = reader.node(Fog) or Fog(0.0, OPAQUE_BLACK)
     while not reader.at_end:
-        fields = read_fields(reader, FOG_FIELDS)
-        if fields is not None:
-            result = replace(result, **fields)
+        said = read_fields(reader, FOG_FIELDS)
+        if said is not None:
+            result = replace(result, **said)
             continue
         turbulent = read_fields(reader, TURBULENCE_FIELDS)
         if turbulent is not None:
@@ -79,6 +80,9 @@ def fog(reader: ItemReader, context: Context, sink: Sink) -> Fog:
         reader.refuse("fog_type 1 or 2")
     return result
 
+
+COLLINEAR: Final = 1e-6
+"""Vectors whose cross product is smaller, for unit length, count as parallel."""
 
 RAINBOW_FIELDS: Final[dict[str, Field]] = {
     "direction": vector("direction"),
@@ -102,22 +106,44 @@ RAINBOW_ACCEPTS: Final = (*RAINBOW_FIELDS, "color_map", "colour_map")
 )
 def rainbow(reader: ItemReader, context: Context, sink: Sink) -> Rainbow:
     named = reader.node(Rainbow)
-    said: dict[str, Any] = {}
+    said: dict[str, Any] = {} if named is None else _kept(named)
     while not reader.at_end:
-        fields = read_fields(reader, RAINBOW_FIELDS)
-        if fields is not None:
-            said.update(fields)
+        read = read_fields(reader, RAINBOW_FIELDS)
+        if read is not None:
+            said.update(read)
             continue
         colors = reader.node(ColorMap)
         if colors is None:
             unexpected(reader, RAINBOW_ACCEPTS)
         said["color_map"] = colors
-    if named is not None:
-        return replace(named, **said)
-    for word in ("direction", "angle", "width", "color_map"):
-        if word not in said:
-            reader.refuse(f"'{word}' somewhere in the rainbow")
-    return Rainbow(**said)
+    if "direction" not in said:
+        reader.refuse("'direction' somewhere in the rainbow")
+    result = Rainbow(**said)
+    _check_angles(result, reader)
+    return result
+
+
+def _check_angles(bow: Rainbow, reader: ItemReader) -> None:
+    if _collinear(bow.direction, bow.up):
+        reader.refuse("a direction that differs from 'up'")
+    for word, angle in (("arc_angle", bow.arc_angle), ("falloff_angle", bow.falloff_angle)):
+        if not (0.0 <= angle <= 360.0 or angle == math.inf):
+            reader.refuse(f"{word} from 0 to 360")
+    if bow.arc_angle < bow.falloff_angle < math.inf:
+        reader.refuse("an arc_angle that is not smaller than falloff_angle")
+
+
+def _collinear(a: Vec3, b: Vec3) -> bool:
+    cross = (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    return math.hypot(*cross) <= COLLINEAR * math.hypot(*a) * math.hypot(*b)
+
+
+def _kept(named: Rainbow) -> dict[str, Any]:
+    """What a rainbow takes over from a declared one. POV-Ray takes the angles, which it has already in radians from the
+    bow's inner edge on, for degrees from its middle on (probed)."""
+    kept = {field.name: getattr(named, field.name) for field in fields(named)}
+    inner = math.radians(named.angle - named.width / 2.0)
+    return kept | {"angle": inner, "width": math.radians(named.width)}
 
 
 SKY_ACCEPTS: Final = ("pigment", "emission", *TRANSFORM_WORDS)

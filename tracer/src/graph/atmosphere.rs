@@ -1,7 +1,8 @@
 //! SDL: `fog`, `rainbow`, `sky_sphere`: mirror of `minipov.tracer.atmosphere`.
 #![allow(missing_docs)] // the fields are documented where they are mirrored from
 
-use super::pigment::{ColorMap, Pigment};
+pub use super::pigment::ColorMap;
+use super::pigment::Pigment;
 use super::warp::Turbulence;
 use crate::color::{Rgb, Rgbft};
 use crate::math::Vec3;
@@ -27,7 +28,7 @@ pub struct Rainbow {
     pub direction: Vec3,
     pub angle: f64,
     pub width: f64,
-    pub color_map: ColorMap,
+    pub color_map: Option<ColorMap>,
     pub distance: f64,
     pub jitter: f64,
     pub up: Vec3,

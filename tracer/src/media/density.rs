@@ -17,9 +17,7 @@ impl Builder {
         };
         match &node.blend {
             None => Pigment::with_default_map(pattern),
-            Some(DensityBlend::Colors(map)) => {
-                Pigment::Colors(Arc::new((pattern, ColorMap::new(map.entries.clone()))))
-            }
+            Some(DensityBlend::Colors(map)) => Pigment::Colors(Arc::new((pattern, ColorMap::from(map)))),
             Some(DensityBlend::Map(map)) => {
                 let entries =
                     map.entries.iter().map(|(value, inner)| (*value, self.density(inner))).collect();

@@ -82,7 +82,7 @@ impl Builder {
         match &node.blend {
             None => Pigment::with_default_map(pattern),
             Some(graph::PigmentBlend::Colors(map)) => {
-                Pigment::Colors(Arc::new((pattern, ColorMap::new(map.entries.clone()))))
+                Pigment::Colors(Arc::new((pattern, ColorMap::from(map))))
             }
             Some(graph::PigmentBlend::Pigments(map)) => {
                 let entries = map.entries.iter().map(|(v, p)| (*v, self.pigment(p))).collect();

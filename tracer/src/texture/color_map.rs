@@ -1,6 +1,7 @@
 //! SDL: `color_map { [0 rgb 0] [0.5 rgb x] [1 rgb 1] }`, and the look-up that all maps share.
 
 use crate::color::Rgbft;
+use crate::graph::pigment as graph;
 
 /// Values with what they stand for, in the order they were written.
 #[derive(Clone, Debug)]
@@ -40,6 +41,12 @@ impl<T> BlendMap<T> {
             }
             None => (&last.1, &last.1, 0.0),
         }
+    }
+}
+
+impl From<&graph::ColorMap> for ColorMap {
+    fn from(map: &graph::ColorMap) -> ColorMap {
+        ColorMap::new(map.entries.clone())
     }
 }
 
