@@ -17,7 +17,6 @@ from lark.lexer import Lexer
 from minipov.grammar.errors import SdlSyntaxError
 from minipov.grammar.keywords import DIRECTIVES, KEYWORDS, Kind
 from minipov.grammar.statements import find_run
-from minipov.grammar.text import decode as decode
 
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _SIGNED = rf"[+-]?{_NUMBER}"

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Final
 
 from minipov.grammar.errors import SdlSyntaxError
+from minipov.grammar.text import decode
 from minipov.interpreter.compiler.program import Program
 from minipov.interpreter.errors import SdlError
 from platformdirs import user_cache_path
@@ -42,7 +43,6 @@ def compiled(path: str, content: bytes) -> Program:
 def compile_text(path: str, content: bytes) -> Program:
     """The code of a file, not looking at the cache."""
     # The grammar takes a while to load, and scenes that are known do not need it.
-    from minipov.grammar.lexer import decode
     from minipov.grammar.parser import parse
     from minipov.interpreter.compiler.files import compile_file
 

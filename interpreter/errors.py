@@ -47,7 +47,7 @@ def format_error(error: SdlError, sources: Mapping[str, str], severity: str = "e
     """
     lines = [f"{where(error.place)}{severity}: {error.message}"]
     file, line, column = error.place
-    text = sources.get(file, "").splitlines()
+    text = sources.get(file, "").split("\n")
     if 0 < line <= len(text):
         source = text[line - 1]
         before = "".join("\t" if character == "\t" else " " for character in source[: column - 1])

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Literal
 
 from minipov.exit_status import OK, SCENE_ERROR, USAGE_ERROR
 from minipov.frames import frames
+from minipov.grammar.text import decode
 from minipov.include_path import startup_ini
 from minipov.interpreter import Messages, SdlError, format_error, load
 from minipov.interpreter.errors import Place
@@ -72,7 +73,6 @@ def check(scene: Path, command: CommandLine) -> list[Finding]:
     """Return what is wrong with ``scene``, loaded with the options of ``command``."""
     # Only `check` always needs the grammar: scenes that are rendered may be compiled already.
     from minipov.grammar import SdlSyntaxError, parse
-    from minipov.grammar.lexer import decode
 
     try:
         text = decode(scene.read_bytes())
@@ -141,4 +141,4 @@ def _described(finding: Finding) -> str:
     except OSError:
         content = b""
     error = SdlError(finding.message, place, finding.hint, finding.stack)
-    return format_error(error, {finding.file: content.decode("utf-8", "replace")}, finding.severity)
+    return format_error(error, {finding.file: decode(content)}, finding.severity)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from minipov.grammar.text import decode
 from minipov.interpreter.errors import Message, SdlError, format_error, where
 
 
@@ -15,7 +16,7 @@ def describe(error: SdlError, sources: Mapping[str, bytes]) -> str:
         content = sources[file] if file in sources else Path(file).read_bytes()
     except (OSError, ValueError):
         content = b""
-    return format_error(error, {file: content.decode("utf-8", "replace")})
+    return format_error(error, {file: decode(content)})
 
 
 def describe_message(message: Message) -> str:

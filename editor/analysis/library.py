@@ -8,7 +8,7 @@ from typing import Final
 
 from minipov.editor.analysis.document import Document
 from minipov.editor.analysis.names import Declaration, globals_of, includes, local_at, names_in
-from minipov.grammar.lexer import decode
+from minipov.grammar.text import decode
 from minipov.interpreter.runtime.search import INCLUDE_EXTENSIONS, FileSearch
 
 _LARGEST: Final = 8_000_000

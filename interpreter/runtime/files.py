@@ -12,6 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, BinaryIO, Final
 
+from minipov.grammar.text import decode
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.values import Vector, kind_of, terms
 
@@ -43,7 +44,7 @@ class Reader:
 
     def __init__(self, name: str, content: bytes) -> None:
         self.name = name
-        self._text = content.decode("utf-8", "replace").removeprefix("\ufeff")
+        self._text = decode(content)
         self._at = 0
         self.at_end = False
         """Whether a reading has met the end of the file (a comma before it does not count as the end)."""

@@ -74,8 +74,23 @@ def reference(scene: Path, switches: Sequence[str], timeout: float = 240.0, *, f
 
 def run_povray(program: str, scene: Path, switches: Sequence[str], work: Path, timeout: float) -> Rendering:
     """Run POV-Ray in the empty folder ``work``, where its picture and all files that the scene writes end up."""
-    command = [program, f"+I{scene}", f"+O{PICTURE}", f"+L{scene.parent}", "-D", "-P", "-A", "+WT1", *switches]
+    command = [
+        program,
+        f"+I{_word(scene)}",
+        f"+O{PICTURE}",
+        f"+L{_word(scene.parent)}",
+        "-D",
+        "-P",
+        "-A",
+        "+WT1",
+        *switches,
+    ]
     return run_renderer(command, work, timeout)
+
+
+def _word(path: Path) -> str:
+    """A path as POV-Ray takes it in one piece: its switches end at a blank that is not in quotes."""
+    return f'"{path}"' if " " in str(path) else str(path)
 
 
 def _recall(key: str) -> Rendering | None:

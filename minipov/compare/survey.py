@@ -53,8 +53,11 @@ class Comparison:
 
 
 def find_scenes(folder: Path, pattern: str = "*") -> list[Path]:
-    """Return the scenes below ``folder`` whose path from there, with or without ``.pov``, matches ``pattern``."""
-    scenes = sorted(folder.rglob("*.pov"))
+    """Return the scenes below ``folder`` whose path from there, with or without ``.pov``, matches ``pattern``.
+
+    A scene's suffix may be in capitals, as old systems have it.
+    """
+    scenes = sorted(path for path in folder.rglob("*") if path.suffix.lower() == ".pov")
     names = {scene: scene.relative_to(folder) for scene in scenes}
     return [
         scene

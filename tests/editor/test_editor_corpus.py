@@ -19,7 +19,7 @@ from minipov.editor.analysis.recovery import parse
 from minipov.editor.analysis.signatures import signature_at
 from minipov.editor.analysis.syntax import tree_of
 from minipov.grammar import parse as parse_file
-from minipov.grammar.lexer import decode
+from minipov.grammar.text import decode
 
 LIBRARY = library()
 

@@ -10,7 +10,7 @@ from corpus import FILES
 from minipov.editor.highlight import textmate, words
 from minipov.editor.highlight.pygments_lexer import SdlLexer
 from minipov.grammar.keywords import DIRECTIVES, KEYWORDS
-from minipov.grammar.lexer import decode
+from minipov.grammar.text import decode
 from pygments.token import Comment, Error, Keyword, Name, Number, Token
 
 ROOT = Path(__file__).parents[2]

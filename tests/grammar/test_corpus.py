@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from minipov.grammar import SdlSyntaxError, parse
-from minipov.grammar.lexer import decode
+from minipov.grammar.text import decode
 
 FOLDERS = (Path("/usr/share/doc/povray/examples"), Path("/usr/share/povray-3.7/include"))
 FILES = sorted(f for d in FOLDERS for f in d.rglob("*") if f.suffix in {".pov", ".inc", ".mac", ".map"})

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 from minipov.grammar import SdlSyntaxError, parse, tree
-from minipov.grammar.lexer import decode, tokenize, unescape
+from minipov.grammar.lexer import tokenize, unescape
+from minipov.grammar.text import decode
 
 
 def short(node: Any) -> str:
@@ -119,6 +120,10 @@ def test_escapes() -> None:
 def test_decoding() -> None:
     assert decode(b"\xef\xbb\xbfa\xc3\xa9") == "aé"
     assert decode(b"a\xe9") == "aé"
+
+
+def test_lines_end_as_on_any_system() -> None:
+    assert decode(b"1\n2\r\n3\n\r4\r5\r\r7") == "1\n2\n3\n4\n5\n\n7"
 
 
 ERRORS = {
