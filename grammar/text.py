@@ -15,3 +15,12 @@ def decode(data: bytes) -> str:
     for line_end in ("\r\n", "\n\r", "\r"):
         text = text.replace(line_end, "\n")
     return text
+
+
+def is_utf8(data: bytes) -> bool:
+    """Whether `decode` reads a file as UTF-8."""
+    try:
+        data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return False
+    return True

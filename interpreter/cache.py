@@ -44,10 +44,11 @@ def compile_text(path: str, content: bytes) -> Program:
     """The code of a file, not looking at the cache."""
     # The grammar takes a while to load, and scenes that are known do not need it.
     from minipov.grammar.parser import parse
+    from minipov.grammar.text import decode, is_utf8
     from minipov.interpreter.compiler.files import compile_file
 
     try:
-        return compile_file(parse(decode(content), path, runs=True))
+        return compile_file(parse(decode(content), path, runs=True), utf8=content.isascii() or is_utf8(content))
     except SdlSyntaxError as error:
         raise SdlError(error.message, (error.path or path, error.line, error.column), error.hint) from None
 

@@ -74,6 +74,7 @@ class SceneBuilder:
     settings: GlobalSettings = field(default_factory=GlobalSettings)
     gamma_was_set: bool = False
     noise_was_set: bool = False
+    charset: str = "ascii"
 
 
 SECOND_NOISE_SINCE: Final = 3.5

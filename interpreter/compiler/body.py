@@ -17,8 +17,9 @@ from minipov.interpreter.errors import Place
 class Unit:
     """One file's compiled parts: symbols and constants it refers to, and the functions of its macros."""
 
-    def __init__(self, path: str) -> None:
+    def __init__(self, path: str, *, utf8: bool = True) -> None:
         self.path = path
+        self.utf8 = utf8
         self.symbols: set[str] = set()
         self.constants = Constants()
         self.functions: list[ast.stmt] = []

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from minipov.grammar import tree
+from minipov.grammar.lexer import unescape
 from minipov.interpreter.compiler.body import Body
 from minipov.interpreter.compiler.shapes import EXPRESSIONS, constant, is_comma, may_splice
 from minipov.interpreter.values import COMPONENTS
@@ -47,6 +48,8 @@ class Expressions(Body):
         match node:
             case tree.Name(name=name):
                 return self.emit.attribute(self.cell(name), "v")
+            case tree.String(raw=raw):
+                return self._characters(raw)
             case tree.Hole(index=index):
                 return self.emit.name(f"n{index}")
             case tree.Scoped():
@@ -96,6 +99,12 @@ class Expressions(Body):
             return self._relation(node)
         value = self.value(node)
         return self.emit.call("truth", value)
+
+    def _characters(self, raw: str) -> ast.expr:
+        """A string that is not all ASCII: where the scene's charset is ASCII, POV-Ray reads a blank for every byte."""
+        size = (lambda character: len(character.encode())) if self.unit.utf8 else (lambda _: 1)
+        blanked = "".join(c if c.isascii() else " " * size(c) for c in raw)
+        return self.emit.call("characters", self.emit.constant(unescape(raw)), self.emit.constant(unescape(blanked)))
 
     def _variable(self, name: str) -> ast.expr:
         return self.emit.call("variable", self.emit.constant(name))

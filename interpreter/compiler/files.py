@@ -198,13 +198,13 @@ def _has_break(items: Sequence[tree.Item]) -> bool:
     return False
 
 
-def compile_file(file: tree.File) -> Program:
-    """A file's tree as code.
+def compile_file(file: tree.File, *, utf8: bool = True) -> Program:
+    """A file's tree as code; ``utf8`` tells how the file writes what is not ASCII.
 
     Raises:
         SdlError: the file is nested too deeply for Python's compiler.
     """
-    unit = Unit(file.path)
+    unit = Unit(file.path, utf8=utf8)
     body = FileBody(unit, (), local_names(file.items))
     try:
         body.enter_scope()

@@ -36,7 +36,7 @@ def constant(node: tree.Item) -> Any:
     match node:
         case tree.Number(value=value):
             return value
-        case tree.String(raw=raw):
+        case tree.String(raw=raw) if raw.isascii():
             return unescape(raw)
         case tree.ConstantWord(name=name):
             return CONSTANT_WORDS.get(name)

@@ -35,14 +35,14 @@ SETTINGS_FIELDS: Final[dict[str, Field]] = {
     "noise_generator": _noise_generator,
     "number_of_waves": integer("number_of_waves"),
 }
-WITHOUT_EFFECT: Final[dict[str, Field]] = {
+NOT_RENDERED: Final[dict[str, Field]] = {
     "hf_gray_16": lambda reader: {"hf_gray_16": reader.boolean()},
     "max_intersections": integer("max_intersections"),
-    "charset": lambda reader: {"charset": reader.word("ascii", "utf8", "sys")},
+    "charset": lambda reader: {"charset": reader.word("ascii", "utf8", "sys") or "ascii"},
 }
 OBSOLETE: Final = ("hf_gray_16", "max_intersections")
 BLOCKS: Final[dict[str, type]] = {"radiosity": Radiosity, "photons": Photons, "subsurface": SubsurfaceSettings}
-ACCEPTS: Final = (*SETTINGS_FIELDS, *WITHOUT_EFFECT, *BLOCKS)
+ACCEPTS: Final = (*SETTINGS_FIELDS, *NOT_RENDERED, *BLOCKS)
 
 
 @construct(
@@ -60,10 +60,12 @@ def global_settings(reader: ItemReader, context: Context, sink: Sink) -> Block:
         if fields is not None:
             scene.settings = replace(scene.settings, **_checked(fields, context, place))
             continue
-        unused = read_fields(reader, WITHOUT_EFFECT)
+        unused = read_fields(reader, NOT_RENDERED)
         if unused is not None:
-            word = next(iter(unused))
-            if word in OBSOLETE:
+            word, value = next(iter(unused.items()))
+            if word == "charset":
+                scene.charset = value
+            elif word in OBSOLETE:
                 context.messages.warn_once(word, f"'{word}' has had no effect since version 3.7", place)
             continue
         said: dict[str, Any] = {word: value for word, kind in BLOCKS.items() if (value := reader.node(kind))}

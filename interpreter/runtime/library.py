@@ -188,5 +188,5 @@ def library(running: Running) -> dict[str, Any]:
 
 _OF_RUNNING = (
     "include", "print_debug", "print_warning", "print_error", "obsolete", "obsolete_setting", "set_version", "variable",
-    "open_file", "close_file", "read_file", "check_kind", "end_read", "write_file",
+    "characters", "open_file", "close_file", "read_file", "check_kind", "end_read", "write_file",
 )  # fmt: skip

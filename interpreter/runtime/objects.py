@@ -44,11 +44,9 @@ def dimensions(array: Any) -> float:
 
 @builtin("dimension_size", 2)
 def dimension_size(array: Any, number: float) -> float:
-    """The size of dimension ``number``, counted from 1."""
+    """The size of dimension ``number``, counted from 1; 0 where there is no such dimension."""
     sizes = _array(array).sizes
-    if not 1 <= int(number) <= len(sizes):
-        raise SdlError(f"the array has no dimension {number:g}, only 1 to {len(sizes)}")
-    return float(sizes[int(number) - 1])
+    return float(sizes[int(number) - 1]) if 1 <= int(number) <= len(sizes) else 0.0
 
 
 def _array(value: Any) -> Array:

@@ -136,6 +136,15 @@ class Running:
             )
         set_version(self.context, number)
 
+    def characters(self, text: str, blanked: str) -> str:
+        """A string with characters beyond ASCII: as ``blanked`` unless the scene says how it writes them."""
+        if self.context.scene.charset != "ascii" or self.context.version >= 3.8:
+            return text
+        self.context.messages.warn_once(
+            "charset", "characters beyond ASCII are read as blanks: global_settings { charset utf8 }", current_place()
+        )
+        return blanked
+
     def variable(self, name: str) -> Any:
         """A keyword that is a value only the running program knows."""
         options = self.context.options

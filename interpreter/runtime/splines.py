@@ -15,7 +15,7 @@ from minipov.interpreter.errors import SdlError
 from minipov.interpreter.items import Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
-from minipov.interpreter.values import Number, Vector, widened
+from minipov.interpreter.values import Number, Vector
 from minipov.tracer import _core
 from minipov.tracer.function import Spline, SplineFunction
 
@@ -36,11 +36,15 @@ def spline(reader: ItemReader, context: Context, sink: Sink) -> Spline:
     kind = kind or reader.word(*KINDS) or (base.kind if base else "linear_spline")
     points: dict[float, Five] = dict(base.points) if base else {}
     size = base.size if base else 2
+    last: tuple[float, ...] = (0.0,) * 5
     while not reader.at_end:
         at = reader.float()
         value = reader.terms("the point of a spline", 5)
+        if len(value) == 1:
+            value = (*value, *value)
         size = max(size, len(value))
-        a, b, c, d, e = widened(value, 5)
+        # What a point does not say is as in the point before it: so POV-Ray has it.
+        a, b, c, d, e = last = (*value, *last[len(value) :])
         points[at] = (a, b, c, d, e)
         reader.comma()
     if not points:

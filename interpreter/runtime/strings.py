@@ -108,7 +108,7 @@ def chr_(code: float) -> str:
     """The character of a code."""
     if not 0 <= int(code) <= 0x10FFFF:
         raise SdlError(f"there is no character {code:g}")
-    return chr(int(code))
+    return chr(int(code)) if int(code) else ""  # a zero ends a string
 
 
 @builtin("val", 1)

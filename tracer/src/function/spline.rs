@@ -21,11 +21,15 @@ fn each(f: impl Fn(usize) -> f64) -> Five {
 }
 
 impl Spline {
-    /// A spline through points sorted by parameter; with too few for its kind it is a simpler one.
+    /// A spline through points sorted by parameter. With too few for its kind it is a simpler one; a cubic one between
+    /// fewer than four points has but one value, in their middle.
     pub fn new(kind: SplineKind, points: &[(f64, Five)]) -> Spline {
         let (at, values): (Vec<f64>, Vec<Five>) = points.iter().copied().unzip();
+        if let (SplineKind::Cubic, [(at, p), (_, q)]) = (kind, points) {
+            return Spline::new(SplineKind::Linear, &[(*at, each(|k| (p[k] + q[k]) / 2.0))]);
+        }
         let kind = match (kind, at.len()) {
-            (SplineKind::Quadratic, ..3) | (SplineKind::Cubic, ..4) => SplineKind::Linear,
+            (SplineKind::Quadratic, ..3) | (SplineKind::Cubic, ..3) => SplineKind::Linear,
             (kind, _) => kind,
         };
         let bends = match kind {

@@ -1,0 +1,1 @@
+// lines that end as on old Macintoshes#version 3.7;#declare A = 3; // not this: #declare A = 4;#debug concat(str(A, 0, 0), "\n")// expect: 3
