@@ -69,4 +69,9 @@ impl Atmosphere {
             seen.rgb = (seen.rgb.mul_each(left) + own) * f64::from(bows).recip();
         }
     }
+
+    /// What is left of a lamp's light that comes from `distance` along the ray.
+    pub fn filter(&self, ray: &Ray, distance: f64) -> Rgb {
+        self.fogs.iter().fold(Rgb::WHITE, |left, fog| left.mul_each(fog.look(ray, distance).0))
+    }
 }

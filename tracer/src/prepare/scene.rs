@@ -133,10 +133,16 @@ impl Scene {
         self.geometry.bodies[id as usize].interior.map_or(&[], |interior| &self.media[interior as usize])
     }
 
-    /// Whether media may dim a lamp's light between surfaces.
+    /// Whether the atmosphere's media and fogs dim a lamp's light.
+    pub fn air_dims(&self, light: &Light) -> bool {
+        light.media_attenuation
+            && light.media_interaction
+            && !(self.air.is_empty() && self.atmosphere.is_clear())
+    }
+
+    /// Whether media or fog may dim a lamp's light between surfaces.
     pub fn is_murky(&self, around: &Interiors, light: &Light) -> bool {
-        (light.media_attenuation && !self.air.is_empty())
-            || (self.has_media && around.iter().any(|body| !self.media_of(body).is_empty()))
+        self.air_dims(light) || (self.has_media && around.iter().any(|body| !self.media_of(body).is_empty()))
     }
 
     /// Optical density; that of open space is 1.

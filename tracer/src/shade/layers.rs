@@ -14,6 +14,9 @@ use crate::pattern::SurfaceContext;
 use crate::prepare::Scene;
 use crate::texture::Pigment;
 
+/// Exponent of the cosine per unit of `caustics` (probed).
+const CAUSTIC_SHARPNESS: f64 = 45.0;
+
 /// What is fixed at a hit, whatever the texture.
 #[derive(Clone, Copy)]
 pub struct Spot<'a> {
@@ -164,8 +167,15 @@ impl Tracer<'_> {
 
     /// The share of light that passes layers.
     pub(super) fn layers_filter(&mut self, spot: &Spot, frame: &Frame, layers: &[Layer]) -> Rgb {
+        let caustics = self.scene.interior(spot.body).map_or(0.0, |interior| interior.caustics);
         layers.iter().fold(Rgb::WHITE, |filter, layer| {
-            filter.mul_each(layer.color(spot, frame, spot.normal).passing())
+            let passes = filter.mul_each(layer.color(spot, frame, spot.normal).passing());
+            if caustics == 0.0 {
+                return passes;
+            }
+            // `caustics F`: light gathers where it goes straight through a surface; every layer adds to it (probed).
+            let cos = layer.perturbed(spot, frame).dot(spot.path.ray.direction).abs();
+            passes * (1.0 + cos.powf(CAUSTIC_SHARPNESS * caustics))
         })
     }
 }

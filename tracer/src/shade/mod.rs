@@ -194,8 +194,8 @@ impl<'s> Tracer<'s> {
         };
         let clear = self.scene.atmosphere.is_clear() && self.scene.air.is_empty();
         if !clear && self.scene.is_hollow(&path.interiors) {
-            self.scene.atmosphere.dim(&path.ray, distance, &mut self.random, &mut seen);
             self.dim_by_air(path, distance, light_group, &mut seen);
+            self.scene.atmosphere.dim(&path.ray, distance, &mut self.random, &mut seen);
         }
         (seen, distance)
     }

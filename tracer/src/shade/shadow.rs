@@ -21,6 +21,14 @@ pub(super) struct Place<'a> {
     pub collects_photons: bool,
 }
 
+/// The last part of the way to a lamp, where the air dims its light.
+pub(super) struct LastPart {
+    /// From behind the last surface on.
+    path: Path,
+    /// Its length.
+    pub distance: f64,
+}
+
 impl Tracer<'_> {
     /// The colour of a lamp's light after shadows.
     pub(super) fn shadowed(&mut self, number: u32, light: &Light, place: &Place, arrival: &Arrival) -> Rgb {
@@ -51,15 +59,23 @@ impl Tracer<'_> {
     }
 
     /// Shadow of a single point of light.
-    pub(super) fn point_shadow(
+    fn point_shadow(&mut self, number: u32, light: &Light, place: &Place, arrival: &Arrival) -> Rgb {
+        match self.past_objects(number, light, place, arrival) {
+            (color, Some(last)) => color.mul_each(self.air_filter(&last.path, last.distance, light)),
+            (color, None) => color,
+        }
+    }
+
+    /// What objects leave of the light of a point, and the part of the way that is left to look at.
+    pub(super) fn past_objects(
         &mut self,
         number: u32,
         light: &Light,
         place: &Place,
         arrival: &Arrival,
-    ) -> Rgb {
+    ) -> (Rgb, Option<LastPart>) {
         let Some(distance) = self.projected(light, place, arrival) else {
-            return Rgb::BLACK;
+            return (Rgb::BLACK, None);
         };
         let arrival = &Arrival { distance, ..*arrival };
         let scene = self.scene;
@@ -75,7 +91,7 @@ impl Tracer<'_> {
                     Answer::Continue
                 }
             }) {
-                return Rgb::BLACK;
+                return (Rgb::BLACK, None);
             }
         }
         let mut crossed = std::mem::take(&mut self.crossed);
@@ -90,16 +106,16 @@ impl Tracer<'_> {
                     Answer::Continue
                 }
             });
-        let color = if blocked {
-            Rgb::BLACK
+        let seen = if blocked {
+            (Rgb::BLACK, None)
         } else if crossed.is_empty() && !scene.is_murky(place.interiors, light) {
-            arrival.color
+            (arrival.color, None)
         } else {
             crossed.sort_unstable_by(Hit::order);
             self.filtered(number, light, place, arrival, &crossed)
         };
         self.crossed = crossed;
-        color
+        seen
     }
 
     /// Light filtered by the transparent surfaces that it crosses and the media between, from the point to the lamp.
@@ -110,7 +126,7 @@ impl Tracer<'_> {
         place: &Place,
         arrival: &Arrival,
         crossed: &[Hit],
-    ) -> Rgb {
+    ) -> (Rgb, Option<LastPart>) {
         let mut path = Path {
             ray: Ray { origin: place.point, direction: arrival.direction },
             interiors: *place.interiors,
@@ -120,19 +136,16 @@ impl Tracer<'_> {
         let mut color = arrival.color;
         // How far the light has been followed.
         let mut done = 0.0;
-        let mut ahead = crossed.iter();
-        while color.max_element() > 0.0 {
-            let nearest = ahead.find(|hit| hit.crossing.t > done + TOLERANCE);
-            let distance = nearest.map_or(arrival.distance - TOLERANCE, |hit| hit.crossing.t) - done;
-            if self.scene.is_murky(&path.interiors, light) {
-                // Of the last part, up to a lamp in a medium, POV-Ray counts only the atmosphere.
-                color = color.mul_each(self.media_filter(&path, distance, nearest.is_some(), light));
+        for hit in crossed {
+            if hit.crossing.t <= done + TOLERANCE {
+                continue;
             }
-            let Some(hit) = nearest else {
-                break;
-            };
-            if self.photons_pass(number, hit.node, place) {
-                return Rgb::BLACK;
+            let distance = hit.crossing.t - done;
+            if self.scene.is_murky(&path.interiors, light) {
+                color = color.mul_each(self.media_filter(&path, distance, light));
+            }
+            if color.max_element() <= 0.0 || self.photons_pass(number, hit.node, place) {
+                return (Rgb::BLACK, None);
             }
             let here = Hit { crossing: Crossing { t: distance, ..hit.crossing }, ..*hit };
             color = color.mul_each(self.surface_filter(&path, &here));
@@ -143,6 +156,8 @@ impl Tracer<'_> {
                 path.interiors.enter(interior);
             }
         }
-        color
+        // Of the last part, up to a lamp in a medium, POV-Ray counts only the air.
+        let last = LastPart { path, distance: arrival.distance - TOLERANCE - done };
+        (color, self.scene.air_dims(light).then_some(last))
     }
 }

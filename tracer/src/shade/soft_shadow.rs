@@ -5,10 +5,11 @@
 //! as they do in POV-Ray.
 
 use super::shadow::Place;
-use super::Tracer;
+use super::{Path, Tracer};
+use crate::accel::RayKind;
 use crate::color::Rgb;
 use crate::light::{Area, Arrival, Light};
-use crate::math::Vec3;
+use crate::math::{Ray, Vec3};
 
 /// Corners whose channels differ by more than this in sum make a cell be split.
 const DIFFERENCE: f64 = 0.1;
@@ -23,6 +24,8 @@ struct Grid<'a> {
     arrival: &'a Arrival,
     /// Shadows of grid points already computed.
     known: Vec<Option<Rgb>>,
+    /// How far it is from the last surface to the grid point computed last, if the last cell had one to compute.
+    last: Option<f64>,
 }
 
 impl Tracer<'_> {
@@ -40,10 +43,18 @@ impl Tracer<'_> {
         known.clear();
         known.resize(width * height, None);
         let axes = area.axes_towards(arrival.direction);
-        let mut grid = Grid { number, light, area, axes, place, arrival, known };
+        let mut grid = Grid { number, light, area, axes, place, arrival, known, last: None };
         let color = self.cell_shadow(&mut grid, [0, 0], [width - 1, height - 1], 0);
+        let last = grid.last;
         self.grid = grid.known;
-        color
+        if color == Rgb::BLACK || !self.scene.air_dims(light) {
+            return color;
+        }
+        // The air dims the mean of all points once, over the last part of the way to one of them, which POV-Ray takes
+        // from the point lit; or over twice the way to the middle of the light (probed).
+        let ray = Ray { origin: place.point, direction: arrival.direction };
+        let path = Path { ray, interiors: *place.interiors, kind: RayKind::Shadow, band: None };
+        color.mul_each(self.air_filter(&path, last.unwrap_or(2.0 * arrival.distance), light))
     }
 
     /// All points of the grid, for `area_illumination`.
@@ -65,6 +76,7 @@ impl Tracer<'_> {
 
     /// Light of the cell between two grid points.
     fn cell_shadow(&mut self, grid: &mut Grid, low: [usize; 2], high: [usize; 2], depth: u32) -> Rgb {
+        grid.last = None;
         let mean = |parts: [Rgb; 4]| (parts[0] + parts[1] + parts[2] + parts[3]) * 0.25;
         let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|at| self.grid_shadow(grid, at));
         let can_split = high[0] - low[0] > 1 || high[1] - low[1] > 1;
@@ -96,12 +108,9 @@ impl Tracer<'_> {
         let offset = grid.area.displacement(&grid.axes, (at[0], at[1]), shift);
         let towards = grid.light.arrival_from(grid.light.location + offset, grid.place.point);
         // The colour is that of the light's centre; only the way differs.
-        let color = self.point_shadow(
-            grid.number,
-            grid.light,
-            grid.place,
-            &Arrival { color: grid.arrival.color, ..towards },
-        );
+        let arrival = Arrival { color: grid.arrival.color, ..towards };
+        let (color, last) = self.past_objects(grid.number, grid.light, grid.place, &arrival);
+        grid.last = Some(last.map_or(towards.distance, |last| last.distance));
         grid.known[index] = Some(color);
         color
     }

@@ -9,9 +9,6 @@ use crate::math::Transform;
 use crate::pattern::{Modifiers, Pattern};
 use crate::texture::{BlendMap, Normal, Pigment};
 
-/// Exponent of the cosine per unit of `caustics` (probed).
-const CAUSTIC_SHARPNESS: f64 = 45.0;
-
 /// Index of a texture in the scene.
 pub type TextureId = u32;
 
@@ -164,7 +161,7 @@ impl Tracer<'_> {
         } else {
             self.texture_filter(&spot, &frame, scene.dress(spot.worn()))
         };
-        filter.mul_each(scene.shadow_attenuation(&spot)) * self.caustic(&spot)
+        filter.mul_each(scene.shadow_attenuation(&spot))
     }
 
     fn texture_filter(&mut self, spot: &Spot, frame: &Frame, texture: TextureId) -> Rgb {
@@ -189,16 +186,5 @@ impl Tracer<'_> {
             }
         }
         filter
-    }
-
-    /// `caustics F`: light gathers where it goes straight through a surface.
-    fn caustic(&self, spot: &Spot) -> f64 {
-        match self.scene.interior(spot.body) {
-            Some(interior) if interior.caustics != 0.0 => {
-                let cos = spot.normal.dot(spot.path.ray.direction).abs();
-                1.0 + cos.powf(CAUSTIC_SHARPNESS * interior.caustics)
-            }
-            _ => 1.0,
-        }
     }
 }

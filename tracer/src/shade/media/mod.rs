@@ -124,37 +124,56 @@ impl Tracer<'_> {
         seen.transmit *= left.gray();
     }
 
-    /// What media leave of a lamp's light over `distance`: those of objects if `bodies`, and the atmosphere's.
-    pub(super) fn media_filter(&mut self, path: &Path, distance: f64, bodies: bool, light: &Light) -> Rgb {
+    /// What media and fog leave of a lamp's light over a part of its way that ends at a surface. In solid objects the
+    /// atmosphere's media are there, fog is not (probed).
+    pub(super) fn media_filter(&mut self, path: &Path, distance: f64, light: &Light) -> Rgb {
         let scene = self.scene;
         let mut left = Rgb::WHITE;
         if !scene.quality.volumes {
             return left;
         }
-        let mut lose = |tracer: &mut Self, matter: Matter| {
-            if matter.media(scene).all(|media| media.extinction == Rgb::BLACK) {
-                return;
-            }
-            let constant = matter.media(scene).try_fold(Rgb::BLACK, |sum, media| {
-                Some(sum + media.constant_density()?.mul_each(media.extinction))
-            });
-            let depth = match constant {
-                Some(extinction) => extinction * distance,
-                None => {
-                    let (ray, interiors) = (&path.ray, &path.interiors);
-                    let way = Way { matter, ray, interiors, light_group: None, shadow: true };
-                    tracer.influence(&way, distance).depth
-                }
-            };
-            left = left.mul_each(passing(depth));
-        };
-        if bodies && scene.has_media && scene.is_hollow(&path.interiors) {
-            lose(self, Matter::Bodies(&path.interiors));
+        let hollow = scene.is_hollow(&path.interiors);
+        if scene.has_media && hollow {
+            left = self.loss(path, Matter::Bodies(&path.interiors), distance);
         }
-        if light.media_attenuation && scene.is_hollow(&path.interiors) {
-            lose(self, Matter::Air);
+        if scene.air_dims(light) {
+            left = left.mul_each(self.loss(path, Matter::Air, distance));
+            if hollow {
+                left = left.mul_each(scene.atmosphere.filter(&path.ray, distance));
+            }
         }
         left
+    }
+
+    /// What the atmosphere's media and fog leave of a lamp's light over the last part of its way.
+    pub(super) fn air_filter(&mut self, path: &Path, distance: f64, light: &Light) -> Rgb {
+        let scene = self.scene;
+        if scene.quality.volumes && scene.air_dims(light) && scene.is_hollow(&path.interiors) {
+            let fog = scene.atmosphere.filter(&path.ray, distance);
+            fog.mul_each(self.loss(path, Matter::Air, distance))
+        } else {
+            Rgb::WHITE
+        }
+    }
+
+    /// What media leave of light.
+    fn loss(&mut self, path: &Path, matter: Matter, distance: f64) -> Rgb {
+        let scene = self.scene;
+        if matter.media(scene).all(|media| media.extinction == Rgb::BLACK) {
+            return Rgb::WHITE;
+        }
+        let constant = matter.media(scene).try_fold(Rgb::BLACK, |sum, media| {
+            Some(sum + media.constant_density()?.mul_each(media.extinction))
+        });
+        let depth = match constant {
+            Some(extinction) => extinction * distance,
+            None => {
+                let (ray, interiors) = (&path.ray, &path.interiors);
+                let way = Way { matter, ray, interiors, light_group: None, shadow: true };
+                self.influence(&way, distance).depth
+            }
+        };
+        passing(depth)
     }
 
     /// What a whole way does.
