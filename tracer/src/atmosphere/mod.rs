@@ -41,9 +41,8 @@ impl Atmosphere {
         self.fogs.is_empty() && self.rainbows.is_empty()
     }
 
-    /// Changes light that comes from `distance` along the ray; rainbows stand behind fog.
-    pub fn dim(&self, ray: &Ray, distance: f64, random: &mut Random, seen: &mut Radiance) {
-        self.pass_rainbows(ray, distance, random, seen);
+    /// Changes light that comes from `distance` along the ray by the fogs.
+    pub fn dim(&self, ray: &Ray, distance: f64, seen: &mut Radiance) {
         // Every fog adds its own light undimmed by the others (probed).
         let mut added = Rgb::BLACK;
         for fog in &self.fogs {
@@ -56,7 +55,7 @@ impl Atmosphere {
     }
 
     /// Of several rainbows in one direction the mean is seen.
-    fn pass_rainbows(&self, ray: &Ray, distance: f64, random: &mut Random, seen: &mut Radiance) {
+    pub fn pass_rainbows(&self, ray: &Ray, distance: f64, random: &mut Random, seen: &mut Radiance) {
         let mut bows = 0;
         let (mut left, mut own) = (Rgb::BLACK, Rgb::BLACK);
         for bow in self.rainbows.iter().filter_map(|rainbow| rainbow.look(ray, distance, random)) {

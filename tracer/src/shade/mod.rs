@@ -194,8 +194,10 @@ impl<'s> Tracer<'s> {
         };
         let clear = self.scene.atmosphere.is_clear() && self.scene.air.is_empty();
         if !clear && self.scene.is_hollow(&path.interiors) {
+            // From behind: rainbows, media, fog (probed).
+            self.scene.atmosphere.pass_rainbows(&path.ray, distance, &mut self.random, &mut seen);
             self.dim_by_air(path, distance, light_group, &mut seen);
-            self.scene.atmosphere.dim(&path.ray, distance, &mut self.random, &mut seen);
+            self.scene.atmosphere.dim(&path.ray, distance, &mut seen);
         }
         (seen, distance)
     }
