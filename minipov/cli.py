@@ -28,7 +28,8 @@ def entry() -> NoReturn:
     status = main()
     for stream in (sys.stdout, sys.stderr):
         try:
-            stream.flush()
+            if not stream.closed:  # as the language server leaves its own
+                stream.flush()
         except OSError:
             status = status or SCENE_ERROR
     if _subcommand(sys.argv[1:]) is not None:

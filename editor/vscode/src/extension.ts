@@ -6,6 +6,9 @@ import { LanguageClient } from "vscode-languageclient/node";
 
 let client: LanguageClient | undefined;
 
+/** Stops and starts of the server, one after the other: settings may change while it starts. */
+let restarted: Promise<void> = Promise.resolve();
+
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
   context.subscriptions.push(
     vscode.commands.registerCommand("minipov.render", render),
@@ -17,11 +20,25 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
       }
     }),
   );
-  await start();
+  await restart();
 }
 
 export async function deactivate(): Promise<void> {
-  await client?.stop();
+  await restarted;
+  await stop();
+}
+
+function restart(): Promise<void> {
+  restarted = restarted.then(stop).then(start);
+  return restarted;
+}
+
+async function stop(): Promise<void> {
+  const stopping = client;
+  client = undefined;
+  if (stopping?.isRunning()) {
+    await stopping.stop();
+  }
 }
 
 async function start(): Promise<void> {
@@ -34,21 +51,19 @@ async function start(): Promise<void> {
   try {
     await client.start();
   } catch (error) {
-    client = undefined;
-    const choice = await vscode.window.showErrorMessage(
-      `minipov's language server does not start: ${String(error)}. ` +
-        "Install it (pip install 'minipov[editor]') or name it in minipov.command.",
-      "Open Settings",
-    );
-    if (choice !== undefined) {
-      await vscode.commands.executeCommand("workbench.action.openSettings", "minipov.command");
-    }
+    void explain(error);
   }
 }
 
-async function restart(): Promise<void> {
-  await client?.stop();
-  await start();
+async function explain(failure: unknown): Promise<void> {
+  const choice = await vscode.window.showErrorMessage(
+    `minipov's language server does not start: ${String(failure)}. ` +
+      "Install it (pip install 'minipov[editor]') or name it in minipov.command.",
+    "Open Settings",
+  );
+  if (choice !== undefined) {
+    await vscode.commands.executeCommand("workbench.action.openSettings", "minipov.command");
+  }
 }
 
 /** Render the scene to a picture beside it, and show that. */
@@ -89,12 +104,17 @@ async function runTask(name: string, scene: vscode.Uri, words: string[]): Promis
   task.presentationOptions = { reveal: vscode.TaskRevealKind.Always, clear: true };
   const running = await vscode.tasks.executeTask(task);
   return new Promise((resolve) => {
-    const listener = vscode.tasks.onDidEndTaskProcess((ended) => {
-      if (ended.execution === running) {
-        listener.dispose();
-        resolve(ended.exitCode);
+    const listeners = [
+      vscode.tasks.onDidEndTaskProcess((ended) => end(ended.execution, ended.exitCode)),
+      // Comes after the above, and alone where the program could not be started.
+      vscode.tasks.onDidEndTask((ended) => end(ended.execution, undefined)),
+    ];
+    function end(ended: vscode.TaskExecution, status: number | undefined): void {
+      if (ended === running) {
+        listeners.forEach((listener) => listener.dispose());
+        resolve(status);
       }
-    });
+    }
   });
 }
 
