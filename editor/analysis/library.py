@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from os.path import abspath
 from pathlib import Path
 from typing import Final
 
 from minipov.editor.analysis.document import Document
-from minipov.editor.analysis.names import Declaration, globals_of, includes, local_at, names_in
+from minipov.editor.analysis.names import Declaration, exports_of, globals_of, includes, local_at, names_in
 from minipov.grammar.text import decode
 from minipov.interpreter.runtime.search import INCLUDE_EXTENSIONS, FileSearch
 
@@ -52,7 +53,12 @@ class Library:
     def find(self, name: str, document: Document) -> Path | None:
         """The file that ``#include`` finds under a name."""
         beside = [Path(document.path).parent] if document.path else []
-        return FileSearch(self.folders, {}, beside).find(name, INCLUDE_EXTENSIONS)
+        found = FileSearch(self.folders, {}, beside).find(name, INCLUDE_EXTENSIONS)
+        return found and Path(abspath(found))
+
+    def is_in_folders(self, document: Document) -> bool:
+        """Whether a text is one that several scenes share: it lies in a folder that is searched for includes."""
+        return any(Path(document.path).is_relative_to(abspath(folder)) for folder in self.folders)
 
     def files_for(self, prefix: str, document: Document) -> list[str]:
         """Names of include files that begin with a prefix, which may hold folders."""
@@ -87,6 +93,15 @@ class Library:
         add(document)
         return list(found.values())
 
+    def around(self, documents: Sequence[Document]) -> list[Document]:
+        """The texts, the open texts that include one of them, and all that any of these includes."""
+        found: dict[str, Document] = {}
+        for one in (*documents, *self._open.values()):
+            chain = self.chain(one)
+            if any(included.path == document.path for included in chain for document in documents):
+                found |= {included.path: included for included in chain}
+        return list(found.values())
+
     def is_complete(self, documents: list[Document]) -> bool:
         """Whether every file that the texts include is known and was found."""
         for document in documents:
@@ -99,7 +114,7 @@ class Library:
     def declared(self, document: Document) -> Iterator[tuple[Document, Declaration]]:
         """Every name that holds everywhere in the text, with the file that declares it."""
         for one in self.chain(document):
-            for declaration in globals_of(one).values():
+            for declaration in self._seen_from(document, one).values():
                 yield one, declaration
 
     def lookup(self, document: Document, name: str, offset: int) -> tuple[Document, Declaration] | None:
@@ -108,7 +123,10 @@ class Library:
         if local is not None:
             return document, local
         for one in self.chain(document):
-            found = globals_of(one).get(name)
+            found = self._seen_from(document, one).get(name)
             if found is not None:
                 return one, found
         return None
+
+    def _seen_from(self, document: Document, included: Document) -> dict[str, Declaration]:
+        return globals_of(document) if included is document else exports_of(included)

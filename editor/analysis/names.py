@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, Literal, TypeAlias
 
@@ -22,7 +22,8 @@ class Declaration:
     """A name where it is declared.
 
     ``start`` to ``end`` is the name itself, ``from_`` to ``to`` the whole declaration; ``scope`` is where a local name
-    holds, None everywhere from here on. ``value`` is the word that its value begins with (``texture``, ``rgb``).
+    holds, None everywhere from here on: ``in_file`` says that it ends with its file, as ``#local`` outside macros does.
+    ``value`` is the word that its value begins with (``texture``, ``rgb``).
     """
 
     name: str
@@ -35,6 +36,7 @@ class Declaration:
     value: str = ""
     parameters: tuple[str, ...] = ()
     comment: str = ""
+    in_file: bool = False
 
     def moved(self, by: int) -> Declaration:
         """The same declaration further down the text."""
@@ -84,14 +86,22 @@ def includes(document: Document) -> Iterator[Include]:
 
 def globals_of(document: Document) -> dict[str, Declaration]:
     """The names that hold outside macros too; of several declarations of a name, the first."""
-    return document.known("globals", _globals)
+    return document.known("globals", lambda document: _first_of_each(d for d in declarations(document) if not d.scope))
 
 
-def _globals(document: Document) -> dict[str, Declaration]:
+def exports_of(document: Document) -> dict[str, Declaration]:
+    """Those of them that hold in texts that include this one."""
+    return document.known("exports", lambda document: _first_of_each(_exports(document)))
+
+
+def _exports(document: Document) -> Iterator[Declaration]:
+    return (d for d in declarations(document) if not d.scope and not d.in_file)
+
+
+def _first_of_each(found: Iterable[Declaration]) -> dict[str, Declaration]:
     table: dict[str, Declaration] = {}
-    for declaration in declarations(document):
-        if declaration.scope is None:
-            table.setdefault(declaration.name, declaration)
+    for declaration in found:
+        table.setdefault(declaration.name, declaration)
     return table
 
 
@@ -107,20 +117,6 @@ def locals_at(document: Document, offset: int) -> list[Declaration]:
     """All local names and parameters that hold at an offset."""
     start, statement = document.at(offset)
     return [d.moved(start) for d in names_in(statement).declared if _holds(d, offset - start)]
-
-
-def uses(document: Document, name: str, offset: int) -> list[tuple[int, int]]:
-    """Where the name that stands at ``offset`` stands for the same thing, in this text."""
-    local = local_at(document, name, offset)
-    found = []
-    for start, statement in document.placed():
-        for token in names_in(statement).used:
-            if token.value == name:
-                at = start + (token.start_pos or 0)
-                other = local_at(document, name, at)
-                if (other and other.start) == (local and local.start):
-                    found.append((at, at + len(name)))
-    return found
 
 
 def _holds(declaration: Declaration, offset: int) -> bool:
@@ -140,6 +136,7 @@ class _Reader:
         self.used: list[Token] = []
         self.includes: list[Include] = []
         self.computed = False
+        self.reading = ""
         self.ends = _ends(statement.tokens)
 
     def read(self) -> Names:
@@ -147,6 +144,7 @@ class _Reader:
         previous = ""
         for at, token in enumerate(self.tokens):
             kind, start = token.type, token.start_pos or 0
+            self.reading = kind
             while macros and start >= macros[-1][1]:
                 macros.pop()
             if kind in {"DECLARE", "LOCAL"}:
@@ -183,11 +181,9 @@ class _Reader:
         end = self.tokens[min(last, len(self.tokens) - 1)].end_pos or 0
         comment = self._comment_before(first)
         name = str(token.value)
-        self.declared.append(
-            Declaration(
-                name, kind, token.start_pos or 0, token.end_pos or 0, start, end, scope, value, parameters, comment
-            )
-        )
+        in_file = scope is None and self.reading in {"LOCAL", "FOR"}
+        place = (token.start_pos or 0, token.end_pos or 0, start, end)
+        self.declared.append(Declaration(name, kind, *place, scope, value, parameters, comment, in_file))
 
     def _declare(self, at: int, scope: tuple[int, int] | None) -> None:
         """``#declare deprecated once "text" NAME = ...``, or several targets in brackets."""

@@ -8,7 +8,9 @@ from typing import Final, Protocol
 from lsprotocol import types
 from minipov.editor.analysis.completion import Completion, CompletionKind, completions
 from minipov.editor.analysis.help import help_at
-from minipov.editor.analysis.names import includes, uses
+from minipov.editor.analysis.names import includes
+from minipov.editor.analysis.references import Reference, references_here
+from minipov.editor.analysis.references import references as all_references
 from minipov.editor.analysis.signatures import signature_at
 from minipov.editor.server.positions import Positions
 from minipov.editor.server.session import Session, uri_of
@@ -116,14 +118,21 @@ def definition(server: Session, params: types.DefinitionParams) -> types.Locatio
 
 
 def references(server: Session, params: types.ReferenceParams) -> list[types.Location]:
-    """Where the name stands in this text."""
-    uri = params.text_document.uri
-    return [types.Location(uri, place) for place in _uses(server, params)]
+    """Where the name stands, in this text and those around it."""
+    wanted = params.context.include_declaration
+    return [
+        types.Location(uri_of(one.document), server.positions(one.document).range(one.start, one.end))
+        for one in _references(server, params)
+        if wanted or not one.declares
+    ]
 
 
 def document_highlight(server: Session, params: types.DocumentHighlightParams) -> list[types.DocumentHighlight]:
-    """The same, to be marked."""
-    return [types.DocumentHighlight(place) for place in _uses(server, params)]
+    """Where it stands in this text, to be marked."""
+    document, positions = server.document(params.text_document.uri)
+    name = _name_at(server, params)
+    found = references_here(document, *name) if name else ()
+    return [types.DocumentHighlight(positions.range(one.start, one.end)) for one in found]
 
 
 def prepare_rename(server: Session, params: types.PrepareRenameParams) -> types.Range | None:
@@ -131,25 +140,37 @@ def prepare_rename(server: Session, params: types.PrepareRenameParams) -> types.
     name = _name_at(server, params)
     if name is None:
         return None
+    _to_rename(server, params)
     _, positions = server.document(params.text_document.uri)
     return positions.range(name[1], name[1] + len(name[0]))
 
 
 def rename(server: Session, params: types.RenameParams) -> types.WorkspaceEdit:
-    """Rename within this text."""
+    """Rename in this text and those around it."""
     new = params.new_name
     if not _NAME.fullmatch(new) or new in KEYWORDS:
         raise JsonRpcInvalidParams(f"'{new}' is not a name that SDL would take")
-    edits = [types.TextEdit(place, new) for place in _uses(server, params)]
-    return types.WorkspaceEdit(changes={params.text_document.uri: edits})
+    changes: dict[str, list[types.TextEdit]] = {}
+    for one in _to_rename(server, params):
+        place = server.positions(one.document).range(one.start, one.end)
+        changes.setdefault(uri_of(one.document), []).append(types.TextEdit(place, new))
+    return types.WorkspaceEdit(changes=changes)
 
 
-def _uses(server: Session, params: _Place) -> list[types.Range]:
+def _to_rename(server: Session, params: _Place) -> list[Reference]:
+    """The places, none of them in another text of the library, which scenes share."""
+    document, _ = server.document(params.text_document.uri)
+    found = _references(server, params)
+    for one in found:
+        if one.document is not document and server.library.is_in_folders(one.document):
+            raise JsonRpcInvalidParams(f"the name also stands in {one.document.path}, which all scenes share")
+    return found
+
+
+def _references(server: Session, params: _Place) -> list[Reference]:
+    document, _ = server.document(params.text_document.uri)
     name = _name_at(server, params)
-    if name is None:
-        return []
-    document, positions = server.document(params.text_document.uri)
-    return [positions.range(start, end) for start, end in uses(document, *name)]
+    return list(all_references(document, server.library, *name)) if name else []
 
 
 def _name_at(server: Session, params: _Place) -> tuple[str, int] | None:

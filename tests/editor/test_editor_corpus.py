@@ -12,10 +12,10 @@ from minipov.editor.analysis.completion import completions
 from minipov.editor.analysis.document import Document
 from minipov.editor.analysis.help import help_at
 from minipov.editor.analysis.highlighting import highlights
-from minipov.editor.analysis.names import uses
 from minipov.editor.analysis.outline import folds, outline
 from minipov.editor.analysis.parts import LARGE, problems_by_parts
 from minipov.editor.analysis.recovery import parse
+from minipov.editor.analysis.references import references_here
 from minipov.editor.analysis.signatures import signature_at
 from minipov.editor.analysis.syntax import tree_of
 from minipov.grammar import parse as parse_file
@@ -54,7 +54,8 @@ def ask_everything(document: Document) -> None:
         help_at(document, LIBRARY, offset)
         signature_at(document, LIBRARY, offset)
     for offset, length, _, _ in marked[:: max(1, len(marked) // 3)]:
-        assert (offset, offset + length) in uses(document, document.text[offset : offset + length], offset)
+        found = references_here(document, document.text[offset : offset + length], offset)
+        assert (offset, offset + length) in [(one.start, one.end) for one in found]
 
 
 def test_statements_parse_as_the_whole_does() -> None:

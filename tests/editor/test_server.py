@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
+import subprocess
 from pathlib import Path
 
 import pytest
 from client import Client
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
+from running import MINIPOV
 
 SCENE = """#version 3.7;
 #include "colors.inc"
@@ -51,6 +54,17 @@ def test_several_mistakes_are_found_at_once(client: Client, tmp_path: Path) -> N
     document, _ = client.open(tmp_path / "b.inc", text)
     lines = [found.range.start.line for found in client.diagnostics(document)]
     assert lines == [0, 2, 3, 4]
+
+
+@pytest.mark.parametrize("last_words", [("shutdown", "exit"), ()], ids=["told to", "client gone"])
+def test_it_ends_without_a_word(last_words: tuple[str, ...]) -> None:
+    capabilities = {"processId": None, "rootUri": None, "capabilities": {}}
+    messages = [{"id": 1, "method": "initialize", "params": capabilities}]
+    messages += [{"id": 2, "method": word} if word == "shutdown" else {"method": word} for word in last_words]
+    bodies = [json.dumps({"jsonrpc": "2.0", **message}).encode() for message in messages]
+    said = b"".join(b"Content-Length: %d\r\n\r\n%s" % (len(body), body) for body in bodies)
+    run = subprocess.run([*MINIPOV, "lsp"], input=said, capture_output=True, timeout=60, check=False)
+    assert (run.returncode, run.stderr.decode()) == (0, "")
 
 
 def test_closing_takes_the_diagnostics_away(client: Client, tmp_path: Path) -> None:
@@ -183,6 +197,53 @@ def test_rename(client: Client, tmp_path: Path) -> None:
     assert [edit.range.start.character for edit in answer.changes[document.uri]] == [9, 23]
     with pytest.raises(JsonRpcException, match="not a name"):
         client.wait(client.client.text_document_rename_async(types.RenameParams(document, position, "sphere")))
+
+
+Three = tuple[types.TextDocumentIdentifier, types.Position]
+
+
+@pytest.fixture
+def three_texts(client: Client, tmp_path: Path) -> Three:
+    """A scene, a closed include whose macro it calls, and another open scene that includes this too."""
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts/ball.inc").write_text("#local Wide = 2;\n#macro Ball(R) sphere { 0, R*Wide } #end\n")
+    client.open(tmp_path / "parts/other.pov", '#include "ball.inc"\n#local Wide = 5;\nBall(Wide)\n')
+    client.open(tmp_path / "alone.pov", "#macro Ball() #end Ball()\n")
+    return client.open(tmp_path / "scene.pov", '#include "parts/ball.inc"\n#declare Wide = 1;\nBa^ll(Wide)\n')
+
+
+def test_references_through_includes_and_open_texts(client: Client, three_texts: Three) -> None:
+    document, position = three_texts
+
+    def places(position: types.Position, declaration: bool) -> list[tuple[str, int, int]]:
+        params = types.ReferenceParams(types.ReferenceContext(declaration), document, position)
+        answer = client.wait(client.client.text_document_references_async(params))
+        return sorted(
+            (place.uri.rpartition("/")[2], place.range.start.line, place.range.start.character)
+            for place in answer or []
+        )
+
+    assert places(position, True) == [("ball.inc", 1, 7), ("other.pov", 2, 0), ("scene.pov", 2, 0)]
+    assert places(position, False) == [("other.pov", 2, 0), ("scene.pov", 2, 0)]
+    # The include's own name of that kind ends with its file, and other.pov's is its own.
+    assert places(types.Position(2, 6), True) == [("scene.pov", 1, 9), ("scene.pov", 2, 5)]
+
+
+def test_rename_through_includes(client: Client, three_texts: Three) -> None:
+    document, position = three_texts
+    answer = client.wait(client.client.text_document_rename_async(types.RenameParams(document, position, "Globe")))
+    assert answer is not None
+    assert answer.changes is not None
+    files = {uri.rpartition("/")[2]: len(edits) for uri, edits in answer.changes.items()}
+    assert files == {"scene.pov": 1, "ball.inc": 1, "other.pov": 1}
+
+
+def test_names_of_the_library_are_not_renamed(client: Client, tmp_path: Path) -> None:
+    document, position = client.open(tmp_path / "library.pov", '#include "colors.inc"\nbackground { Re^d }\n')
+    with pytest.raises(JsonRpcException, match=r"colors\.inc, which all scenes share"):
+        client.wait(client.client.text_document_rename_async(types.RenameParams(document, position, "Rouge")))
+    with pytest.raises(JsonRpcException, match="which all scenes share"):
+        client.wait(client.client.text_document_prepare_rename_async(types.PrepareRenameParams(document, position)))
 
 
 def test_document_symbols(client: Client, tmp_path: Path) -> None:
