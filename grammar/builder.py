@@ -154,10 +154,27 @@ class Builder(Transformer[Token, Any]):
 
     def function_literal(self, c: Children) -> Any:
         parameters = c[2] if len(c) == 7 else None
-        return tree.FunctionLiteral(c[0].line, c[0].column, parameters, c[-2])
+        return tree.FunctionLiteral(c[0].line, c[0].column, parameters, c[-2], self._source(c))
 
     def image_function(self, c: Children) -> Any:
-        return tree.FunctionLiteral(c[0].line, c[0].column, None, c[-2], (c[1], c[3]))
+        return tree.FunctionLiteral(c[0].line, c[0].column, None, c[-2], self._source(c), (c[1], c[3]))
+
+    def _source(self, c: Children) -> tree.FunctionText | None:
+        if isinstance(c[-2], tree.FunctionBlock):
+            return None
+        return tree.FunctionText(c[-3].line, c[-3].column + 1, str(c[-3]))
+
+    def function_text(self, c: Children) -> Any:
+        return tree.FunctionText(c[0].line, c[0].column, str(c[0]))
+
+    def function_token(self, c: Children) -> Any:
+        text = str(c[0])
+        if text[0].isalpha():
+            return self.keyword(c)
+        return self.number(c) if text[-1].isdigit() or (text[-1] == "." and len(text) > 1) else self.punctuation(c)
+
+    def function_name(self, c: Children) -> Any:
+        return tree.FunctionName(c[0].line, c[0].column, str(c[0]))
 
     def function_block(self, c: Children) -> Any:
         return tree.FunctionBlock(c[0].line, c[0].column, str(c[0]), c[1].items)

@@ -7,7 +7,8 @@ vanish. A keyword gets its terminal from THE table; ``#word`` is one token, blan
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any, Final
 
@@ -211,15 +212,33 @@ def _unreadable(text: str, at: int, path: str, line: int, column: int) -> SdlSyn
     return SdlSyntaxError(f"unexpected character {text[at]!r}", path, line, column)
 
 
+@dataclass(frozen=True, slots=True)
+class Source:
+    """What is to be parsed: ``tokenize`` says what most of it means.
+
+    With ``is_macro``, the text is a function's body: it tells the names that are macros by now.
+    """
+
+    text: str
+    path: str = ""
+    version_38: bool | None = None
+    runs: bool = False
+    is_macro: Callable[[str], bool] | None = None
+
+
 class SdlLexer(Lexer):
     """The tokenizer in the shape that Lark asks for, braces matched."""
 
     def __init__(self, lexer_conf: Any) -> None:
         """Lark hands over its configuration; the table of keywords says all that is needed."""
 
-    def lex(self, data: tuple[str, str, bool | None, bool]) -> Iterator[Token]:  # type: ignore[override]
-        """Tokens of the arguments of `tokenize` but ``start``."""
-        text, path, version_38, runs = data
+    def lex(self, data: Source) -> Iterator[Token]:  # type: ignore[override]
+        """Tokens of a source, marked as the grammar expects them."""
         from minipov.grammar.braces import mark_loose_braces
+        from minipov.grammar.function_bodies import function_tokens, mark_function_bodies
 
-        return iter(mark_loose_braces(list(tokenize(text, path, 0, version_38, runs))))
+        tokens: Sequence[Token] = list(tokenize(data.text, data.path, 0, data.version_38, data.runs))
+        tokens = mark_function_bodies(tokens, data.text)
+        if data.is_macro is not None:
+            tokens = function_tokens(tokens, data.is_macro)
+        return iter(mark_loose_braces(tokens))

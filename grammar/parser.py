@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -17,7 +18,7 @@ from lark.parsers.lalr_interactive_parser import InteractiveParser
 from minipov.grammar import tree
 from minipov.grammar.builder import Builder
 from minipov.grammar.explain import explain
-from minipov.grammar.lexer import SdlLexer
+from minipov.grammar.lexer import SdlLexer, Source
 from platformdirs import user_cache_path
 
 
@@ -32,7 +33,7 @@ def _parser() -> Lark:
 
 
 def _items(text: str, version_38: bool) -> tuple[tree.Item, ...]:
-    items: Any = _parser().parse((text, "", version_38, False))
+    items: Any = _parser().parse(Source(text, "", version_38))
     return items  # type: ignore[no-any-return]  # the start rule gives items
 
 
@@ -43,9 +44,23 @@ def parse(text: str, path: str = "", runs: bool = False) -> tree.File:
         SdlSyntaxError: the text is not SDL.
     """
     try:
-        items: Any = _parser().parse((text, path, None, runs))
+        items: Any = _parser().parse(Source(text, path, runs=runs))
     except UnexpectedInput as error:
         raise explain(error, text, path) from None
+    return tree.File(path, items)
+
+
+def parse_function(text: str, path: str, line: int, column: int, is_macro: Callable[[str], bool]) -> tree.File:
+    """The tokens of a function's body, which begins at a line and column, and the directives among them.
+
+    Raises:
+        SdlSyntaxError: a directive is not SDL.
+    """
+    padded = "\n" * (line - 1) + " " * (column - 1) + text
+    try:
+        items: Any = _parser().parse(Source(padded, path, is_macro=is_macro))
+    except UnexpectedInput as error:
+        raise explain(error, padded, path) from None
     return tree.File(path, items)
 
 

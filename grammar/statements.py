@@ -75,6 +75,8 @@ def find_run(text: str, start: int, line: int, version_38: bool) -> tuple[Run | 
         line += text.count("\n", counted, at)
         counted = at
         source = statement.group()
+        if "function" in source:  # what runs may need its text, numbers included
+            break
         parts = _NUMBER.split(source)  # texts and numbers in turn
         shape = HOLE.join(parts[::2])
         number = shapes.get(shape)

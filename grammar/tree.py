@@ -153,14 +153,29 @@ class BuiltinCall(Node):
 
 @dataclass(frozen=True, slots=True)
 class FunctionLiteral(Node):
-    """``function (a, b) { body }``. ``parameters`` None stands for x, y, z.
+    """``function (a, b) { body }``. ``parameters`` None stands for x, y, z; ``source`` None for a block's body.
 
     ``size`` holds W and H of ``function W, H { ... }``.
     """
 
     parameters: tuple[str, ...] | None
-    body: Expression | FunctionBlock
+    body: Expression | FunctionBlock | FunctionText
+    source: FunctionText | None
     size: tuple[Expression, Expression] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionText(Node):
+    """The body of a function as it is written: what runs must read it, with the directives and macros in it."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionName(Node):
+    """A name in a function's body that was read by what runs."""
+
+    name: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -479,5 +494,6 @@ Item: TypeAlias = (
     | Punctuation
     | BulkVectors
     | Statements
+    | FunctionName
     | Directive
 )

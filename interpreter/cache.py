@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Final
 
 from minipov.grammar.errors import SdlSyntaxError
-from minipov.grammar.text import decode
+from minipov.grammar.text import decode, is_utf8
 from minipov.interpreter.compiler.program import Program
 from minipov.interpreter.errors import SdlError
 from platformdirs import user_cache_path
@@ -44,7 +44,6 @@ def compile_text(path: str, content: bytes) -> Program:
     """The code of a file, not looking at the cache."""
     # The grammar takes a while to load, and scenes that are known do not need it.
     from minipov.grammar.parser import parse
-    from minipov.grammar.text import decode, is_utf8
     from minipov.interpreter.compiler.files import compile_file
 
     try:

@@ -33,6 +33,14 @@ class Punctuation:
     text: str
 
 
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A name among the tokens of a function's body: a parameter, or what it stands for, None for nothing."""
+
+    name: str
+    value: Any
+
+
 COMMA: Final = Punctuation(",")
 SEMICOLON: Final = Punctuation(";")
 

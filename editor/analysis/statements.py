@@ -17,6 +17,7 @@ from minipov.editor.analysis.language import BLOCKS
 from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.scanning import line_break, scan
 from minipov.grammar.braces import mark_loose_braces
+from minipov.grammar.function_bodies import mark_function_bodies
 from minipov.grammar.lexer import PUNCTUATION
 
 T = TypeVar("T")
@@ -56,7 +57,7 @@ class Statement:
         for token in self.tokens:
             token.type = _unmarked(token)
         mark_loose_braces(self.tokens)
-        return self.tokens
+        return list(mark_function_bodies(self.tokens, self.text))
 
     def known(self, name: str, work: Callable[[Statement], T]) -> T:
         """What ``work`` finds out about the statement, worked out once."""

@@ -102,8 +102,8 @@ class Expressions(Body):
 
     def _characters(self, raw: str) -> ast.expr:
         """A string that is not all ASCII: where the scene's charset is ASCII, POV-Ray reads a blank for every byte."""
-        size = (lambda character: len(character.encode())) if self.unit.utf8 else (lambda _: 1)
-        blanked = "".join(c if c.isascii() else " " * size(c) for c in raw)
+        encoding = "utf-8" if self.unit.utf8 else "latin-1"
+        blanked = "".join(c if c.isascii() else " " * len(c.encode(encoding)) for c in raw)
         return self.emit.call("characters", self.emit.constant(unescape(raw)), self.emit.constant(unescape(blanked)))
 
     def _variable(self, name: str) -> ast.expr:

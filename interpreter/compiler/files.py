@@ -204,8 +204,12 @@ def compile_file(file: tree.File, *, utf8: bool = True) -> Program:
     Raises:
         SdlError: the file is nested too deeply for Python's compiler.
     """
-    unit = Unit(file.path, utf8=utf8)
-    body = FileBody(unit, (), local_names(file.items))
+    return finished(FileBody(Unit(file.path, utf8=utf8), (), local_names(file.items)), file)
+
+
+def finished(body: FileBody, file: tree.File) -> Program:
+    """The code of a file's items, to be compiled by ``body``."""
+    unit = body.unit
     try:
         body.enter_scope()
         body.items(file.items)

@@ -1,6 +1,7 @@
 """SDL: ``function (x, y) { sin(x)*y + F(x, 0, 0) }``: code that builds a function's tree (`minipov.tracer.function`).
 
-Names are looked up when the function is declared: floats are kept as constants, functions as calls.
+Names are looked up when the function is declared: floats are kept as constants, functions as calls. A body with
+directives, or one in which a macro is called, is read by `runtime.function_text` instead.
 """
 
 from __future__ import annotations
@@ -15,7 +16,8 @@ from minipov.interpreter.compiler.shapes import EXPRESSIONS, argument_groups
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.values import COMPONENTS
 
-_DEFAULT_PARAMETERS: Final = ("x", "y", "z")
+DEFAULT_PARAMETERS: Final = ("x", "y", "z")
+_DEEPEST: Final = 100
 _ALIASES: Final = {"u": "x", "v": "y"}
 _UNARY_FUNCTIONS: Final = (
     "abs", "acos", "acosh", "asin", "asinh", "atan", "atanh", "ceil", "cos", "cosh", "degrees", "exp", "floor", "int",
@@ -38,17 +40,27 @@ class FunctionLiterals(Calls):
         if isinstance(node.body, tree.FunctionBlock):
             function = self._block_function(node.body)
         else:
-            parameters = _DEFAULT_PARAMETERS if node.parameters is None else node.parameters
-            scope = {name: number for number, name in enumerate(parameters)}
-            if node.parameters is None:
-                scope |= {alias: scope[name] for alias, name in _ALIASES.items()}
-            body = self._body(node.body, scope)
-            self.emit.at(node)
-            function = self.emit.call("ExpressionFunction", self.emit.constant(tuple(parameters)), body)
+            function = self._expression_function(node, node.body)
         if node.size is None:
             return function
         width, height = map(self.value, node.size)
         return self.emit.at(node).call("sized_function", width, height, function)
+
+    def _expression_function(self, node: tree.FunctionLiteral, body: tree.Expression | tree.FunctionText) -> ast.expr:
+        source = node.source
+        assert source is not None
+        parameters = self.emit.at(node).constant(node.parameters)
+        text = self.emit.call("function_of_text", parameters, self.emit.constant(source.text), self.place(source))
+        called = None if isinstance(body, tree.FunctionText) else _called(body)
+        if called is None or isinstance(body, tree.FunctionText):
+            return text
+        code = self._body(body, parameter_numbers(node.parameters))
+        parameters = self.emit.at(node).constant(node.parameters or DEFAULT_PARAMETERS)
+        function = self.emit.call("ExpressionFunction", parameters, code)
+        if not called:
+            return function
+        symbols = [self.symbol(name) for name in sorted(called)]
+        return self.emit.conditional(self.emit.call("any_macro", *symbols), text, function)
 
     def _block_function(self, block: tree.FunctionBlock) -> ast.expr:
         if block.name == "internal":
@@ -139,24 +151,10 @@ class FunctionLiterals(Calls):
         arguments = self._expressions(items)
         if arguments is None:
             return self._refused("expected expressions between commas", node)
-        called = self.unit.unique("m")
-        callee = self.emit.named(called, self.expression(of))
         codes = [self._body(argument, scope) for argument in arguments]
-        cells = [self._macro_argument(argument) for argument in arguments]
-        names = None if "v" in scope and scope.get("y") == scope["v"] else tuple(dict.fromkeys(scope))
+        callee = self.expression(of)
         self.emit.at(node)
-        m = self.emit.name(called)
-        is_macro = self.emit.compare(self.emit.attribute(callee, "__class__"), ast.Is(), self.emit.name("Macro"))
-        function = self.emit.call("function_call", m, self.emit.tuple(codes), self.emit.constant(component))
-        parameters = self.emit.constant(names)
-        macro = self.emit.call("macro_in_function", m, self.emit.list(cells), parameters, self.place(node))
-        return self.emit.conditional(is_macro, macro, function)
-
-    def _macro_argument(self, argument: tree.Expression) -> ast.expr:
-        """An argument as a macro takes it; in a function, no parameters can be among these."""
-        if isinstance(argument, tree.Name):
-            return self.emit.at(argument).call(self.emit.attribute(self.symbol(argument.name), "ref"))
-        return self.emit.at(argument).call("Cell", self.expression(argument))
+        return self.emit.call("function_call", callee, self.emit.tuple(codes), self.emit.constant(component))
 
     def _expressions(self, items: Sequence[tree.Item]) -> list[tree.Expression] | None:
         groups = argument_groups(items)
@@ -166,3 +164,38 @@ class FunctionLiterals(Calls):
 
     def _refused(self, message: str, node: tree.Node) -> ast.expr:
         return self._failing(SdlError(message), node)
+
+
+def parameter_numbers(parameters: Sequence[str] | None) -> dict[str, int]:
+    """The number of every name that a function's parameters have; None stands for x, y, z."""
+    scope = {name: number for number, name in enumerate(DEFAULT_PARAMETERS if parameters is None else parameters)}
+    return scope if parameters is not None else scope | {alias: scope[name] for alias, name in _ALIASES.items()}
+
+
+def _called(body: tree.Expression) -> set[str] | None:
+    """The names called in a body; None if it is nested so deeply that Python's compiler might not take it."""
+    called: set[str] = set()
+    level: list[tree.Item] = [body]
+    for _ in range(_DEEPEST):
+        inner: list[tree.Item] = []
+        for item in level:
+            match item:
+                case tree.Binary(operator=operator, left=left, right=right):
+                    while isinstance(left, tree.Binary) and left.operator == operator:
+                        inner.append(left.right)
+                        left = left.left
+                    inner += (left, right)
+                case tree.Unary(operand=operand) | tree.Paren(inner=operand) | tree.Member(of=operand):
+                    inner.append(operand)
+                case tree.Call(of=of, items=items):
+                    while isinstance(of, tree.Subscript):
+                        of = of.of
+                    if isinstance(of, tree.Name):
+                        called.add(of.name)
+                    inner += items
+                case tree.BuiltinCall(items=items):
+                    inner += items
+        if not inner:
+            return called
+        level = inner
+    return None

@@ -117,6 +117,8 @@ class Items(FunctionLiterals):
             self._expression_item(item, run)
         elif isinstance(item, tree.Punctuation):
             run.add(("punctuation", item.text), None, self.at(item))
+        elif isinstance(item, tree.FunctionName):
+            run.add(None, self.function_name(item), self.at(item))
         elif isinstance(item, tree.Statements):
             self.flush(run)
             self.statements_alike(item)
@@ -199,6 +201,10 @@ class Items(FunctionLiterals):
                 sign = self.emit.at(node).name(_SIGNS[operator])
                 return [sign, *self.open_terms(operand)]
         return [self.value(node)]
+
+    def function_name(self, node: tree.FunctionName) -> ast.expr:
+        """A name among the tokens of a function's body."""
+        raise TypeError(f"not an item: {node}")
 
     @abstractmethod
     def statements_alike(self, node: tree.Statements) -> None:

@@ -10,7 +10,7 @@ from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import Item, Punctuation, Sink, Word
 from minipov.interpreter.runtime import calls, dictionaries, evaluate, operators, pending, splice  # noqa: F401
 from minipov.interpreter.runtime.builtins import BUILTINS
-from minipov.interpreter.runtime.function_macros import macro_in_function
+from minipov.interpreter.runtime.function_text import FunctionTexts, any_macro, named
 from minipov.interpreter.runtime.macros import MISSING, Macro
 from minipov.interpreter.runtime.names import Cell, FixedCell, Symbol, global_cell
 from minipov.interpreter.runtime.program import Running
@@ -40,6 +40,8 @@ _PLAIN: dict[str, Any] = {
     "MISSING": MISSING,
     "global_cell": global_cell,
     "Macro": Macro,
+    "any_macro": any_macro,
+    "named": named,
     "UNSET": UNSET,
     "copied": copied,
     "float": float,
@@ -111,6 +113,7 @@ def unended(value: Any, version: float) -> Any:
 def library(running: Running) -> dict[str, Any]:
     """The table for one run."""
     blocks = running.blocks
+    texts = FunctionTexts(running)
     writing: list[Symbol] = []
 
     def push_all(operand: Any, place: Place) -> None:
@@ -173,7 +176,9 @@ def library(running: Running) -> dict[str, Any]:
     names |= {
         "open_block": blocks.open,
         "run_statements": run_statements,
-        "macro_in_function": partial(macro_in_function, running),
+        "function_of_text": texts.function_of_text,
+        "expand_macro": texts.expand_macro,
+        "include_function_text": texts.include_function_text,
         "close_block": blocks.close,
         "open_brace": blocks.open_brace,
         "open_bracket": blocks.open_bracket,

@@ -73,20 +73,24 @@ class Running:
 
     def include(self, file: Any, place: Place) -> None:
         """``#include "file"``."""
-        path = self.search.find(text(file), INCLUDE_EXTENSIONS)
-        if path is None:
-            raise SdlError(f"cannot find the file '{file}'", place, hint=self.search.hint(file))
+        path, content = self.included(file, place)
         self.depth += 1
         if self.depth > MOST_INCLUDES:
             raise SdlError(f"files include each other {MOST_INCLUDES} deep", place)
         self.search.beside.append(path.parent)
-        try:
-            content = self.search.read(path)
-        except OSError as error:
-            raise SdlError(f"cannot read '{path}': {error.strerror or error}", place) from None
         self.run(str(path), content)
         self.search.beside.pop()
         self.depth -= 1
+
+    def included(self, file: Any, place: Place) -> tuple[Path, bytes]:
+        """The path and content of an include file."""
+        path = self.search.find(text(file), INCLUDE_EXTENSIONS)
+        if path is None:
+            raise SdlError(f"cannot find the file '{file}'", place, hint=self.search.hint(file))
+        try:
+            return path, self.search.read(path)
+        except OSError as error:
+            raise SdlError(f"cannot read '{path}': {error.strerror or error}", place) from None
 
     # --- messages ---
 
