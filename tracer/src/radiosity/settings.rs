@@ -23,6 +23,8 @@ pub struct Settings {
     pub max_sample: f64,
     /// Largest and smallest radius of reuse, as parts of the distance from the camera.
     pub reuse: [f64; 2],
+    /// Whether rays of a hemisphere see media, fog and rainbows.
+    pub media: bool,
     /// How many gathered points must be near by.
     pub nearest_count: usize,
     /// Whether bumps turn the hemisphere.
@@ -45,6 +47,7 @@ impl From<&graph::Radiosity> for Settings {
             low_error_factor: r.low_error_factor,
             max_sample: r.max_sample,
             reuse: [r.maximum_reuse, r.minimum_reuse],
+            media: r.media,
             nearest_count: r.nearest_count.0.max(1),
             normal: r.normal,
             pretrace: [r.pretrace_start, r.pretrace_end],

@@ -1,7 +1,7 @@
 //! Light that other surfaces throw at a point: reused from around, or gathered anew. See [`crate::radiosity`].
 
 use super::layers::Spot;
-use super::{Path, Tracer};
+use super::{Interiors, Path, Tracer};
 use crate::accel::RayKind;
 use crate::color::Rgb;
 use crate::math::{Ray, Vec3};
@@ -42,7 +42,8 @@ impl Tracer<'_> {
                 continue;
             }
             let ray = Ray { origin: spot.point, direction };
-            let path = Path { ray, kind: RayKind::Radiosity, ..*spot.path };
+            // POV-Ray takes the ray for one in open space, wherever the surface is.
+            let path = Path { ray, interiors: Interiors::NONE, kind: RayKind::Radiosity, band: None };
             let (seen, distance) = self.trace_far(&path, weight);
             sum += settings.limited(seen.rgb);
             nearness += distance.recip();
@@ -62,6 +63,12 @@ impl Tracer<'_> {
     /// Whether the current ray was shot to gather light.
     pub(super) fn is_gathering(&self) -> bool {
         self.indirect.as_ref().is_some_and(|indirect| indirect.bounces > 0)
+    }
+
+    /// Whether media, fog and rainbows show along the current ray: for gathered light only with `media on`.
+    pub(super) fn sees_volumes(&self) -> bool {
+        let gathering = || self.scene.radiosity.as_ref().filter(|_| self.is_gathering());
+        self.scene.quality.volumes && gathering().is_none_or(|settings| settings.media)
     }
 
     fn set_bounces(&mut self, bounces: u32) {

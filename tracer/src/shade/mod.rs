@@ -193,7 +193,7 @@ impl<'s> Tracer<'s> {
             None => (self.scene.sky.light(path.ray.direction, path.kind), f64::INFINITY),
         };
         let clear = self.scene.atmosphere.is_clear() && self.scene.air.is_empty();
-        if !clear && self.scene.is_hollow(&path.interiors) {
+        if !clear && self.sees_volumes() && self.scene.is_hollow(&path.interiors) {
             // From behind: rainbows, media, fog (probed).
             self.scene.atmosphere.pass_rainbows(&path.ray, distance, &mut self.random, &mut seen);
             self.dim_by_air(path, distance, light_group, &mut seen);

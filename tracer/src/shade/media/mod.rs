@@ -87,7 +87,7 @@ impl Tracer<'_> {
         seen: &mut Radiance,
     ) {
         let scene = self.scene;
-        if !scene.has_media || !scene.quality.volumes || path.interiors.is_empty() {
+        if !scene.has_media || path.interiors.is_empty() || !self.sees_volumes() {
             return;
         }
         let matter = Matter::Bodies(&path.interiors);
@@ -104,7 +104,7 @@ impl Tracer<'_> {
         light_group: Option<u32>,
         seen: &mut Radiance,
     ) {
-        if self.scene.quality.volumes {
+        if self.sees_volumes() {
             self.dim_by(Matter::Air, path, distance.min(FARTHEST), light_group, seen);
         }
     }
@@ -129,7 +129,7 @@ impl Tracer<'_> {
     pub(super) fn media_filter(&mut self, path: &Path, distance: f64, light: &Light) -> Rgb {
         let scene = self.scene;
         let mut left = Rgb::WHITE;
-        if !scene.quality.volumes {
+        if !self.sees_volumes() {
             return left;
         }
         let hollow = scene.is_hollow(&path.interiors);
@@ -148,7 +148,7 @@ impl Tracer<'_> {
     /// What the atmosphere's media and fog leave of a lamp's light over the last part of its way.
     pub(super) fn air_filter(&mut self, path: &Path, distance: f64, light: &Light) -> Rgb {
         let scene = self.scene;
-        if scene.quality.volumes && scene.air_dims(light) && scene.is_hollow(&path.interiors) {
+        if self.sees_volumes() && scene.air_dims(light) && scene.is_hollow(&path.interiors) {
             let fog = scene.atmosphere.filter(&path.ray, distance);
             fog.mul_each(self.loss(path, Matter::Air, distance))
         } else {
