@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable
 from functools import cache
 from importlib.resources import files
@@ -24,9 +25,10 @@ from platformdirs import user_cache_path
 
 @cache
 def _parser() -> Lark:
-    """Lark's parser; its tables are kept in the user's cache (0.05 s to load, 0.5 s to make)."""
+    """Lark's parser; its tables are kept in the user's cache (0.05 s to load, 0.5 s to make), for each grammar."""
     grammar = (files("minipov.grammar") / "sdl.lark").read_text()
-    tables = user_cache_path("minipov", ensure_exists=True) / f"sdl-{lark.__version__}.tables"
+    state = hashlib.blake2b(grammar.encode(), digest_size=6).hexdigest()
+    tables = user_cache_path("minipov", ensure_exists=True) / f"sdl-{lark.__version__}-{state}.tables"
     return Lark(
         grammar, parser="lalr", lexer=SdlLexer, transformer=Builder(_items), maybe_placeholders=False, cache=str(tables)
     )

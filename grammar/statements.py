@@ -23,7 +23,17 @@ _WORDS: Final = (
     "sphere|cylinder|box|cone|torus|disc|plane|triangle|smooth_triangle|polygon|object|union|merge|intersection"
     "|difference|light_source|mesh|mesh2|superellipsoid"
 )
-_NUMBER: Final = re.compile(r"((?:(?<=[<,({])\s*+[+-]?|(?<![\w.]))(?>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?![\w.]))")
+# A number, with its sign where that can be no operator. It begins with a set of characters: Python finds these fast.
+_NUMBER: Final = re.compile(
+    r"""(
+    [-+.\d]
+    (?: (?<=[-+]) (?: (?<=[<,({].) | (?<=[<,({][ ].) ) (?>\d+\.?\d*|\.\d+)
+      | (?<=\d) (?<![\w.].) (?>\d*\.?\d*)
+      | (?<=\.) (?<![\w.].) (?>\d+) )
+    (?>(?:[eE][+-]?\d+)?) (?![\w.])
+    )""",
+    re.VERBOSE,
+)
 
 
 def _nested(opening: str, closing: str, depth: int) -> str:

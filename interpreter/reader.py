@@ -21,19 +21,27 @@ LARGEST_INTEGER: Final = 2**31 - 1
 class ItemReader:
     """A cursor over a block's items. ``name`` is the block's; ``end_place`` that of its closing brace."""
 
-    def __init__(self, name: str, items: Sequence[Item], places: Sequence[Place], end_place: Place) -> None:
+    __slots__ = ("_at", "_end", "_end_place", "_items", "_places", "name")
+
+    def __init__(
+        self, name: str, items: Sequence[Item], places: Sequence[Place], end_place: Place, start: int = 0
+    ) -> None:
         self.name = name
         self._items = items
         self._places = places
         self._end_place = end_place
-        self._at = 0
+        self._at = start
+        self._end = len(items)
+
+    def __copy__(self) -> ItemReader:
+        return ItemReader(self.name, self._items, self._places, self._end_place, self._at)
 
     # --- looking ---
 
     @property
     def at_end(self) -> bool:
         """Whether every item has been read."""
-        return self._at >= len(self._items)
+        return self._at >= self._end
 
     @property
     def place(self) -> Place:
@@ -42,7 +50,7 @@ class ItemReader:
 
     def peek(self) -> Item:
         """The next item, or None at the end."""
-        return None if self.at_end else self._items[self._at]
+        return self._items[self._at] if self._at < self._end else None
 
     def next_is(self, *words: str) -> bool:
         """Whether the next item is one of these keywords."""
@@ -61,20 +69,21 @@ class ItemReader:
 
     def comma(self) -> None:
         """Pass over an optional comma."""
-        if self.peek() is COMMA:
+        if self._at < self._end and self._items[self._at] is COMMA:
             self._at += 1
 
     def word(self, *words: str) -> str | None:
         """The next item if it is one of these keywords (any keyword, if none are given), else None."""
-        item = self.peek()
-        if isinstance(item, Word) and (not words or item.name in words):
+        item = self._items[self._at] if self._at < self._end else None
+        if item.__class__ is Word and (not words or item.name in words):
             self._at += 1
-            return item.name
+            name: str = item.name
+            return name
         return None
 
     def node(self, kind: type[T] | tuple[type[T], ...]) -> T | None:
         """The next item if it is a value of this type, else None."""
-        item = self.peek()
+        item = self._items[self._at] if self._at < self._end else None
         if isinstance(item, kind):
             self._at += 1
             return item
@@ -112,6 +121,22 @@ class ItemReader:
             self._at += 1
             return tuple(item)
         self.fail(what)
+
+    def rows(self, most: int, size: int) -> list[Terms]:
+        """The vectors of ``size`` terms that follow each other, ``most`` at most, with optional commas before them."""
+        items, at = self._items, self._at
+        rows: list[Terms] = []
+        while at < self._end and len(rows) < most:
+            item = items[at]
+            if item is COMMA and at + 1 < self._end:
+                at += 1
+                item = items[at]
+            if item.__class__ is not Vector or len(item) != size:
+                break
+            rows.append(item)
+            at += 1
+            self._at = at
+        return rows
 
     def is_number(self) -> bool:
         """Whether the next item (after an optional comma) is a float or vector."""

@@ -33,11 +33,15 @@ class Transform:
     @staticmethod
     def rotate(degrees: Vec3) -> Transform:
         """Turns about x, then y, then z, in degrees, left-handed."""
-        (cx, sx), (cy, sy), (cz, sz) = ((cos(radians(a)), sin(radians(a))) for a in degrees)
-        about_x = Transform((1, 0, 0, 0, cx, sx, 0, -sx, cx, 0, 0, 0))
-        about_y = Transform((cy, 0, -sy, 0, 1, 0, sy, 0, cy, 0, 0, 0))
-        about_z = Transform((cz, sz, 0, -sz, cz, 0, 0, 0, 1, 0, 0, 0))
-        return about_x.then(about_y).then(about_z)
+        total = IDENTITY
+        for axis, angle in enumerate(degrees):
+            if angle:
+                c, s = cos(radians(angle)), sin(radians(angle))
+                about_x = (1, 0, 0, 0, c, s, 0, -s, c, 0, 0, 0)
+                about_y = (c, 0, -s, 0, 1, 0, s, 0, c, 0, 0, 0)
+                about_z = (c, s, 0, -s, c, 0, 0, 0, 1, 0, 0, 0)
+                total = total.then(Transform((about_x, about_y, about_z)[axis]))
+        return total
 
     def then(self, after: Transform) -> Transform:
         """First this map, then ``after``."""
@@ -45,13 +49,18 @@ class Transform:
             return after
         if after is IDENTITY:
             return self
-        m, n = self.matrix, after.matrix
-        rows = [
-            m[r] * n[c] + m[r + 1] * n[c + 3] + m[r + 2] * n[c + 6] + (n[c + 9] if r == 9 else 0.0)
-            for r in (0, 3, 6, 9)
-            for c in (0, 1, 2)
-        ]
-        return Transform(tuple(rows))  # type: ignore[arg-type]  # twelve by construction
+        a, b, c, d, e, f, g, h, i, x, y, z = self.matrix
+        p, q, r, s, t, u, v, w, o, *shift = after.matrix
+        return Transform(
+            (
+                *(a * p + b * s + c * v, a * q + b * t + c * w, a * r + b * u + c * o),
+                *(d * p + e * s + f * v, d * q + e * t + f * w, d * r + e * u + f * o),
+                *(g * p + h * s + i * v, g * q + h * t + i * w, g * r + h * u + i * o),
+                x * p + y * s + z * v + shift[0],
+                x * q + y * t + z * w + shift[1],
+                x * r + y * u + z * o + shift[2],
+            )
+        )
 
     def inverse(self) -> Transform:
         """The map that undoes this one.

@@ -178,11 +178,14 @@ class Expressions(Body):
         parts = [item for item in node.items if not is_comma(item)]
         if not all(isinstance(part, EXPRESSIONS) for part in parts):
             return self._gathered(node)
-        if any(map(may_splice, parts)):
+        splices = any(map(may_splice, parts))
+        if splices and len(node.items) != 2 * len(parts) - 1:
             tokens = self.tokens(node.items)
             return self.emit.at(node).call("spliced_vector", tokens)
         terms = [self.expression(part) for part in parts]  # type: ignore[arg-type]  # expressions, as just seen
         self.emit.at(node)
+        if splices:
+            return self.emit.call("separated_vector", *terms)
         return self.emit.call("vector3" if len(terms) == 3 else "vector", *terms)
 
     def tokens(self, items: Sequence[tree.Item]) -> ast.expr:

@@ -152,6 +152,11 @@ def bulk(reader: ItemReader, rows: int, columns: int, what: str) -> NDArray[np.f
     singles: list[tuple[float, ...]] = []
     have = 0
     while have < rows:
+        found = reader.rows(rows - have, columns)
+        if found:
+            singles += found
+            have += len(found)
+            continue
         reader.comma()
         item = reader.peek()
         if isinstance(item, np.ndarray):

@@ -126,13 +126,15 @@ def face_indices(reader: ItemReader, context: Context, sink: Sink) -> Block:
     numbers: dict[int, tuple[int, ...]] = {}
     have = 0
     while have < count:
-        reader.comma()
-        item = reader.peek()
-        rows = 1
-        if isinstance(item, np.ndarray):
-            rows = len(item.reshape(-1, item.shape[-1]))
-        faces.append(bulk(reader, rows, 3, "triples of indices"))
-        have += rows
+        found = reader.rows(count - have, 3)
+        if found:
+            faces.append(np.array(found))
+        else:
+            reader.comma()
+            item = reader.peek()
+            rows = len(item.reshape(-1, item.shape[-1])) if isinstance(item, np.ndarray) else 1
+            faces.append(bulk(reader, rows, 3, "triples of indices"))
+        have += len(faces[-1])
         given = _texture_numbers(reader)
         if given:
             numbers[have - 1] = given

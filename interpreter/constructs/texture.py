@@ -6,7 +6,7 @@ from copy import copy
 from dataclasses import replace
 from typing import Final
 
-from minipov.interpreter.constructs.common import unexpected, unread
+from minipov.interpreter.constructs.common import unexpected
 from minipov.interpreter.constructs.finish import read_finish
 from minipov.interpreter.constructs.maps import read_entries
 from minipov.interpreter.constructs.normal import SMOOTH, read_normal
@@ -26,7 +26,7 @@ from minipov.interpreter.constructs.patterns import (
 from minipov.interpreter.constructs.pigment import read_pigment
 from minipov.interpreter.constructs.transforms import TRANSFORM_WORDS, read_transform
 from minipov.interpreter.context import Context
-from minipov.interpreter.items import Sink
+from minipov.interpreter.items import Sink, Unread
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.finish import Finish
@@ -76,13 +76,11 @@ def modified_texture(reader: ItemReader, context: Context, texture: Texture | No
 
     Of a layered texture the top layer changes.
     """
-    place = copy(reader)
-    for name in ("pigment", "normal", "finish"):
-        items = unread(reader, name)
-        if items is not None:
-            break
-    else:
+    item = reader.peek()
+    if not isinstance(item, Unread) or item.name not in ("pigment", "normal", "finish"):
         return None
+    place, name, items = copy(reader), item.name, copy(item.reader)
+    reader.take()
     base = texture or default_texture(context)
     if not isinstance(base, PlainTexture | LayeredTexture):
         place.refuse("no pigment, normal or finish on a patterned texture", "only plain textures can be layers")

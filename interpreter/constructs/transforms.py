@@ -6,7 +6,7 @@ from typing import Final
 
 from minipov.interpreter.constructs.common import long_vector, unexpected
 from minipov.interpreter.context import Context
-from minipov.interpreter.items import Sink
+from minipov.interpreter.items import Sink, Word
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.transform import IDENTITY, Matrix, Transform
@@ -16,10 +16,13 @@ TRANSFORM_WORDS: Final = ("translate", "rotate", "scale", "matrix", "transform")
 
 def read_transform(reader: ItemReader, context: Context) -> Transform | None:
     """One transformation, or None where the next item is none."""
+    item = reader.peek()
+    if isinstance(item, Transform):
+        reader.take()
+        return item
+    if not isinstance(item, Word):
+        return None
     place = reader.place
-    block = reader.node(Transform)
-    if block is not None:
-        return block
     match reader.word(*TRANSFORM_WORDS):
         case "translate":
             return Transform.translate(reader.vector())

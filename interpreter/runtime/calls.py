@@ -10,7 +10,7 @@ from minipov.interpreter.arrays import Array, Dictionary, subscript
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import COMMA, Item, Sink, Word, complete
 from minipov.interpreter.runtime.builtins import BUILTINS
-from minipov.interpreter.runtime.evaluate import call_function
+from minipov.interpreter.runtime.evaluate import call_function, called_before
 from minipov.interpreter.runtime.macros import MISSING, Gathered, Macro
 from minipov.interpreter.runtime.names import Cell, ElementCell, Symbol
 from minipov.interpreter.runtime.rvalues import rvalue
@@ -27,6 +27,14 @@ def fail(message: str, hint: str | None = None) -> NoReturn:
 
 def call(callee: Any, *values: Any) -> Any:
     """A call of what is no macro of that many arguments; one argument may turn out to be several."""
+    known = called_before(callee, len(values))
+    if known is not None:
+        try:
+            value = known(*values)
+        except TypeError:
+            pass  # not all are numbers: see below
+        else:
+            return Vector(value) if value.__class__ is tuple else value
     if any(value.__class__ is Spliced for value in values):
         values = tuple(_single_values([item for value in values for item in items_of(value)]))
         if isinstance(callee, Macro) and callee.arity == len(values):
@@ -143,8 +151,16 @@ def vector3(a: Any, b: Any, c: Any) -> Vector:
     return vector(a, b, c)
 
 
+def separated_vector(*terms: Any) -> Vector:
+    """``<a, M(), c>`` with all commas: few macros give more than one term."""
+    for term in terms:
+        if term.__class__ is not float:
+            return spliced_vector(tuple(part for term in terms for part in (term, COMMA)))
+    return _new(Vector, terms) if 1 < len(terms) < 6 else vector(*terms)
+
+
 def spliced_vector(terms: tuple[Any, ...]) -> Vector:
-    """``<a, M(), c>`` where macros may give several terms."""
+    """``<a M(), c>`` where macros may give several terms."""
     return vector(*_single_values(joined(terms)))
 
 

@@ -20,8 +20,8 @@ from minipov.tracer import function
 _PLAIN: dict[str, Any] = {
     **{name: getattr(calls, name) for name in (
         "fail", "call", "call_with", "member", "element", "holds", "call_gathered", "call_spread", "builtin_spread",
-        "builtin_gathered", "rvalue_of", "rvalue_in", "values_in_call", "vector", "vector3", "spliced_vector",
-        "gathered_vector", "gathered_value",
+        "builtin_gathered", "rvalue_of", "rvalue_in", "values_in_call", "vector", "vector3", "separated_vector",
+        "spliced_vector", "gathered_vector", "gathered_value",
     )},
     **{name: getattr(operators, name) for name in (
         "divide", "not_", "equal", "unequal", "less_equal", "greater_equal", "both", "either", "choose", "truth",
