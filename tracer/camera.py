@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 from minipov.tracer.function import Function
 from minipov.tracer.normal import Normal
 from minipov.tracer.pigment import Pigment
+from minipov.tracer.transform import IDENTITY, Transform
 from minipov.tracer.values import Vec3
 
 if TYPE_CHECKING:
@@ -50,7 +51,11 @@ class FocalBlur:
 
 @dataclass(frozen=True, slots=True)
 class MeshCamera:
-    """``mesh_camera { rays_per_pixel distribution max_distance mesh {...} smooth }``."""
+    """``mesh_camera { rays_per_pixel distribution max_distance mesh {...} smooth }``.
+
+    Of the camera's vectors only two numbers count: the z of ``location`` shifts the start of each ray along the normal
+    of its face, and a negative z of ``direction`` turns the rays round.
+    """
 
     rays_per_pixel: int
     distribution: int
@@ -61,10 +66,14 @@ class MeshCamera:
 
 @dataclass(frozen=True, slots=True)
 class UserDefinedCamera:
-    """3.8 ``user_defined``: functions of (x, y) in -0.5..0.5 for location and direction; None uses the vector."""
+    """3.8 ``user_defined``: functions of (x, y) in -0.5..0.5 for location and direction; None uses the vector.
+
+    ``transform`` carries along what the functions give.
+    """
 
     location: tuple[Function, Function, Function] | None = None
     direction: tuple[Function, Function, Function] | None = None
+    transform: Transform = IDENTITY
 
 
 @dataclass(frozen=True, slots=True)

@@ -180,6 +180,7 @@ def _read_other(reader: ItemReader, context: Context, said: _Said) -> bool:
 
 
 MOST_BLUR_SAMPLES: Final = 10_000
+MOST_RAYS: Final = 10_000
 
 
 def _blur_samples(reader: ItemReader) -> tuple[int, int]:
@@ -234,26 +235,35 @@ def bokeh(reader: ItemReader, context: Context, sink: Sink) -> Block:
 @construct(
     "mesh_camera",
     within=("camera",),
-    signature="rays per pixel, distribution [, max distance] mesh {} ... [smooth]",
+    signature="rays per pixel, distribution [max distance] mesh {} ... [smooth]",
     doc="A camera whose rays start on the faces of meshes.",
     accepts=("mesh", "smooth"),
 )
 def mesh_camera(reader: ItemReader, context: Context, sink: Sink) -> Block:
-    rays, distribution = reader.integer(), reader.integer()
+    rays = reader.count(MOST_RAYS)
+    if rays == 0:
+        reader.refuse("at least one ray per pixel")
+    distribution = reader.integer()
     if not 0 <= distribution <= 3:
         reader.refuse("a distribution from 0 to 3")
+    if distribution >= 2 and rays != 1:
+        reader.refuse("one ray per pixel for the distributions 2 and 3")
     distance = reader.float() if reader.is_number() else None
     meshes: list[Object] = []
-    reader.comma()
     while (mesh := reader.node(Object)) is not None:
         if not isinstance(mesh.shape, Mesh):
-            reader.fail("a mesh")
+            reader.refuse("meshes")
         meshes.append(mesh)
-        reader.comma()
+    if not meshes:
+        reader.fail("a mesh")
+    if distribution == 0 and rays > len(meshes):
+        reader.refuse("as many meshes as rays per pixel for the distribution 0")
     smooth = reader.word("smooth") is not None
-    if not reader.at_end or not meshes:
+    if smooth and distribution != 3:
+        reader.refuse("the distribution 3 for smooth")
+    if not reader.at_end:
         unexpected(reader, ("mesh", "smooth"))
-    return Block("mesh_camera", MeshCamera(max(rays, 1), distribution, tuple(meshes), distance, smooth))
+    return Block("mesh_camera", MeshCamera(rays, distribution, tuple(meshes), distance, smooth))
 
 
 def _three_functions(name: str) -> Callable[[ItemReader, Context, Sink], Block]:

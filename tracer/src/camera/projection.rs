@@ -25,15 +25,10 @@ pub struct Projection {
 const OMNIMAX_ASPECT: f64 = 1.283458;
 
 impl Projection {
-    /// Prepares a camera; kinds not written yet become perspective and are named.
-    pub fn new(camera: &Camera) -> (Projection, Option<&'static str>) {
+    /// Prepares a camera.
+    pub fn new(camera: &Camera) -> Projection {
         let Camera { kind, location, direction, right, up, .. } = *camera;
-        let unsupported = match kind {
-            CameraKind::MeshCamera => Some("mesh_camera"),
-            CameraKind::UserDefined => Some("user_defined camera"),
-            _ => None,
-        };
-        let projection = Projection {
+        Projection {
             kind,
             location,
             direction,
@@ -42,8 +37,7 @@ impl Projection {
             size: [right.length(), up.length()],
             frame: [right.normalized(), up.normalized(), direction.normalized()],
             angle: [camera.angle.to_radians(), camera.vertical_angle.to_radians()],
-        };
-        (projection, unsupported)
+        }
     }
 
     /// The camera's place.

@@ -5,7 +5,7 @@ use super::normal::Normal;
 use super::pigment::Pigment;
 use super::values::keywords;
 use super::{Function, Object, Shared};
-use crate::math::Vec3;
+use crate::math::{Transform, Vec3};
 
 keywords!(
     /// How picture coordinates become rays.
@@ -55,6 +55,7 @@ pub struct MeshCamera {
 pub struct UserDefinedCamera {
     pub location: Option<[Shared<Function>; 3]>,
     pub direction: Option<[Shared<Function>; 3]>,
+    pub transform: Transform,
 }
 
 /// From where and how the picture is taken.

@@ -37,8 +37,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
     let quality = Quality::new(settings.quality);
     let (textures, dresses) = textures::prepare(scene, &geometry, &quality, &mut patterns);
     let (lights, light_sets) = lights::prepare(scene, &geometry, kind, &mut patterns, &mut unsupported);
-    let (camera, missing) = Camera::new(&scene.camera, &mut patterns);
-    unsupported.extend(missing.map(|what| Unsupported { feature: what.into(), source: String::new() }));
+    let camera = Camera::new(&scene.camera, &mut patterns);
     let media: Vec<Box<[Media]>> = geometry
         .interiors
         .iter()

@@ -6,9 +6,10 @@ use std::sync::{Arc, Mutex};
 use rayon::prelude::*;
 
 use super::tile::{tiles, Tile};
-use super::view::{Size, View};
+use super::view::View;
 use super::Picture;
 use crate::accel::Counters;
+use crate::camera::Size;
 use crate::function::patience;
 use crate::graph::settings::RenderSettings;
 use crate::graph::STACK_BYTES;

@@ -4,8 +4,9 @@ use std::sync::Mutex;
 
 use rayon::prelude::*;
 
-use super::view::{Size, View};
+use super::view::View;
 use super::Job;
+use crate::camera::Size;
 use crate::photon::PhotonMap;
 use crate::radiosity::{Cache, Gathered, Indirect, Settings};
 

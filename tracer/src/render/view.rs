@@ -1,16 +1,8 @@
 //! The picture's plane: light through any point of it.
 
 use super::Random;
+use crate::camera::Size;
 use crate::shade::{Radiance, Tracer};
-
-/// The size of the whole picture, in pixels.
-#[derive(Clone, Copy, Debug)]
-pub struct Size {
-    /// Pixels per row.
-    pub width: usize,
-    /// Number of rows.
-    pub height: usize,
-}
 
 /// A thread's tracer, looking through the camera.
 pub struct View<'t, 's> {
@@ -25,14 +17,17 @@ impl View<'_, '_> {
     pub fn sample(&mut self, x: f64, y: f64) -> Radiance {
         self.tracer.random = Random::seeded(x.to_bits(), y.to_bits(), 0);
         let camera = &self.tracer.scene.camera;
-        let ray = |x: f64, y: f64| camera.ray(x / self.size.width as f64, y / self.size.height as f64);
-        let Some(lens) = &camera.lens else { return self.tracer.look(ray(x, y)) };
+        let size = self.size;
+        let Some(lens) = &camera.lens else {
+            let rays = (0..camera.rays_per_pixel()).filter_map(|number| camera.ray(x, y, size, number));
+            return self.tracer.look_along(rays);
+        };
         // Focal blur spreads its rays over the pixel, too.
         lens.gather(|number| {
             let random = &mut self.tracer.random;
             let (dx, dy) = (random.unit() - 0.5, random.unit() - 0.5);
-            let deflected = ray(x + dx, y + dy).map(|ray| lens.deflect(&ray, number, random));
-            self.tracer.look(deflected)
+            let deflected = camera.ray(x + dx, y + dy, size, 0).map(|ray| lens.deflect(&ray, number, random));
+            self.tracer.look_along(deflected)
         })
     }
 }

@@ -86,6 +86,8 @@ pub struct Tracer<'s> {
     pub counters: Counters,
     /// Random numbers of the current pixel.
     pub random: Random,
+    /// How far the next ray sees.
+    reach: f64,
     /// Number of rays that led to the current one.
     depth: u32,
     /// Number of rays on the way here that only went straight on.
@@ -119,6 +121,7 @@ impl<'s> Tracer<'s> {
             scene,
             counters: Counters::default(),
             random: Random::seeded(0, 0, 0),
+            reach: f64::INFINITY,
             depth: 0,
             straight: 0,
             occluders: vec![None; scene.lights.len()],
@@ -134,14 +137,27 @@ impl<'s> Tracer<'s> {
         }
     }
 
-    /// Light arriving along a ray of the camera, whose direction may have any length; nothing is seen along none.
-    pub fn look(&mut self, ray: Option<Ray>) -> Radiance {
-        let Some(Ray { origin, direction }) = ray else {
+    /// The mean of the light along rays of the camera, whose directions may have any length; nothing is seen along none.
+    pub fn look_along(&mut self, rays: impl IntoIterator<Item = Ray>) -> Radiance {
+        let (mut sum, mut count) = (Radiance::BLACK, 0.0);
+        for ray in rays {
+            sum.add_scaled(&self.look(ray), 1.0);
+            count += 1.0;
+        }
+        if count == 0.0 {
             return Radiance { rgb: Rgb::BLACK, transmit: 1.0 };
-        };
-        let scene = self.scene;
-        let interiors = scene.camera.interiors.unwrap_or_else(|| scene.interiors_around(origin));
+        }
+        let mut mean = Radiance::BLACK;
+        mean.add_scaled(&sum, 1.0 / count);
+        mean
+    }
+
+    /// Light along one of them.
+    fn look(&mut self, Ray { origin, direction }: Ray) -> Radiance {
+        let camera = &self.scene.camera;
+        let interiors = camera.interiors.unwrap_or_else(|| self.scene.interiors_around(origin));
         let ray = Ray { origin, direction: direction.normalized() };
+        self.reach = camera.reach();
         self.trace(&Path { ray, interiors, kind: RayKind::Camera, band: None }, 1.0)
     }
 
@@ -182,7 +198,8 @@ impl<'s> Tracer<'s> {
             return (Radiance::BLACK, f64::INFINITY);
         }
         let geometry = &self.scene.geometry;
-        let hit = geometry.nearest(&path.ray, NEAREST, f64::INFINITY, path.kind, &mut self.counters);
+        let reach = std::mem::replace(&mut self.reach, f64::INFINITY);
+        let hit = geometry.nearest(&path.ray, NEAREST, reach, path.kind, &mut self.counters);
         let light_group = hit.and_then(|hit| geometry.looks(hit.node).light_group);
         let (mut seen, distance) = match hit {
             Some(hit) => {
