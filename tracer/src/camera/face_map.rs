@@ -47,11 +47,12 @@ impl FaceMap {
     }
 }
 
-/// The shares of a triangle's corners in a point of it.
+/// The shares of a triangle's corners in a point of it: of what each corner's opposite side spans with the point.
 fn shares([a, b, c]: &[[f64; 2]; 3], place: [f64; 2]) -> Option<[f64; 3]> {
-    let cross = |p: [f64; 2], q: [f64; 2]| (p[0] - c[0]) * (q[1] - c[1]) - (p[1] - c[1]) * (q[0] - c[0]);
-    let area = cross(*a, *b);
-    let (first, second) = (cross(place, *b) / area, cross(*a, place) / area);
-    let all = [first, second, 1.0 - first - second];
+    let span = |from: [f64; 2], p: &[f64; 2], q: &[f64; 2]| {
+        (p[0] - from[0]) * (q[1] - from[1]) - (q[0] - from[0]) * (p[1] - from[1])
+    };
+    let area = span(*a, b, c);
+    let all = [span(place, b, c), span(place, c, a), span(place, a, b)].map(|part| part / area);
     all.iter().all(|share| *share >= 0.0).then_some(all)
 }

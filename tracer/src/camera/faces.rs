@@ -81,14 +81,12 @@ impl FaceRays {
 
     /// A ray through a point of the picture, in pixels from the left and from the top; `None` where no face is.
     pub fn ray(&self, x: f64, y: f64, size: Size, number: usize) -> Option<Ray> {
-        // As in POV-Ray, the first row of faces serves two rows of pixels: the rows count from below the first.
+        // As in POV-Ray, the faces are counted from below the first row of pixels.
         let x = x.min(size.width as f64 - 1.0).max(0.0);
         let y = (y - 1.0).min(size.height as f64 - 1.0).max(0.0);
         let (column, row) = (x as usize, y as usize);
         let (mesh, point, normal) = match &self.distribution {
-            Distribution::MeshPerRay => {
-                self.middle(number % self.meshes.len(), row * size.width + column)?
-            }
+            Distribution::MeshPerRay => self.middle(number % self.meshes.len(), row * size.width + column)?,
             Distribution::OneList => {
                 let mut index = row * size.width + column;
                 let mesh = self.meshes.iter().position(|mesh| {
@@ -111,9 +109,8 @@ impl FaceRays {
                 (mesh, blend(&face.corners, shares), normal)
             }
         };
-        let ahead = mesh.place.normal(normal).normalized();
-        let origin = mesh.place.point(point) + ahead * self.offset;
-        Some(Ray { origin, direction: ahead * self.sense })
+        let origin = mesh.place.point(point + normal * self.offset);
+        Some(Ray { origin, direction: mesh.place.normal(normal) * self.sense })
     }
 
     /// The mesh, the middle of one of its faces, and the normal there.

@@ -107,7 +107,10 @@ impl Camera {
             None => ray,
             Some(bumps) => {
                 let ahead = ray.direction.normalized();
-                let [x, y] = self.projection.bump_place(u, v);
+                let [x, y] = match &self.law {
+                    Law::Faces(_) => [0.0; 2],
+                    _ => self.projection.bump_place(u, v),
+                };
                 let direction = bumps.perturb(vec3(x, y, 0.0), ahead, &SurfaceContext::NONE);
                 Ray { direction, ..ray }
             }

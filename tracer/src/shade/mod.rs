@@ -207,7 +207,7 @@ impl<'s> Tracer<'s> {
                 self.dim_by_bodies(path, hit.crossing.t, light_group, &mut seen);
                 (seen, hit.crossing.t)
             }
-            None => (self.scene.sky.light(path.ray.direction, path.kind), f64::INFINITY),
+            None => (self.scene.sky.light(path.ray.direction, path.kind), reach),
         };
         let clear = self.scene.atmosphere.is_clear() && self.scene.air.is_empty();
         if !clear && self.sees_volumes() && self.scene.is_hollow(&path.interiors) {
