@@ -69,11 +69,16 @@ class Document:
     @cached_property
     def line_starts(self) -> list[int]:
         """The offset of each line."""
-        return list(accumulate((len(line) + 1 for line in self.text.split("\n")[:-1]), initial=0))
+        return line_starts(self.text)
 
     def line_of(self, offset: int) -> int:
         """The line of an offset, from 0."""
         return bisect_right(self.line_starts, offset) - 1
+
+
+def line_starts(text: str) -> list[int]:
+    """The offset of each line of a text."""
+    return list(accumulate((len(line) + 1 for line in text.split("\n")[:-1]), initial=0))
 
 
 def is_word(token: Token) -> bool:

@@ -93,14 +93,15 @@ class Library:
         add(document)
         return list(found.values())
 
+    def including(self, documents: Sequence[Document]) -> list[Document]:
+        """The open texts that are one of these or include one."""
+        paths = {document.path for document in documents}
+        return [one for one in self._open.values() if any(part.path in paths for part in self.chain(one))]
+
     def around(self, documents: Sequence[Document]) -> list[Document]:
-        """The texts, the open texts that include one of them, and all that any of these includes."""
-        found: dict[str, Document] = {}
-        for one in (*documents, *self._open.values()):
-            chain = self.chain(one)
-            if any(included.path == document.path for included in chain for document in documents):
-                found |= {included.path: included for included in chain}
-        return list(found.values())
+        """These texts, the open texts that include one, and all that any of them includes."""
+        chains = [self.chain(one) for one in (*documents, *self.including(documents))]
+        return list({part.path: part for chain in chains for part in chain}.values())
 
     def is_complete(self, documents: list[Document]) -> bool:
         """Whether every file that the texts include is known and was found."""

@@ -59,7 +59,7 @@ def _blocks(statement: Statement) -> Iterator[Entry]:
         elif kind == "END":
             depth -= 1
         elif kind in {"LBRACE", "LOOSE_LBRACE"}:
-            if depth == 0 and previous is not None and previous.value in SCENE and open_block is None:
+            if depth == 0 and open_block is None and previous is not None and str(previous.value) in SCENE:
                 open_block = previous
             depth += 1
         elif kind in {"RBRACE", "LOOSE_RBRACE"}:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from minipov.editor.analysis.document import Document
 from minipov.editor.analysis.library import Library
-from minipov.editor.analysis.names import exports_of, globals_of, local_at, names_in
+from minipov.editor.analysis.names import Declaration, exports_of, globals_of, local_at, names_in
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,19 +37,18 @@ def references(document: Document, library: Library, name: str, offset: int) -> 
 def references_here(document: Document, name: str, offset: int) -> Iterator[Reference]:
     """Those of them in the text itself."""
     local = local_at(document, name, offset)
-    yield from _standing_for(document, name, local and local.start)
+    yield from _standing_for(document, name, local)
 
 
-def _standing_for(document: Document, name: str, local: int | None) -> Iterator[Reference]:
-    """Where a name stands for the local one that is declared at an offset, or for none."""
+def _standing_for(document: Document, name: str, local: Declaration | None) -> Iterator[Reference]:
+    """Where a name stands for a local declaration, or for none."""
     for start, statement in document.placed():
         names = names_in(statement)
         declared = {declaration.start for declaration in names.declared}
         for token in names.used:
             if token.value == name:
                 at = token.start_pos or 0
-                holding = local_at(document, name, start + at)
-                if (holding and holding.start) == local:
+                if local_at(document, name, start + at) == local:
                     yield Reference(document, start + at, start + at + len(name), at in declared)
 
 

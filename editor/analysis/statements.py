@@ -117,8 +117,13 @@ def _may_start(token: Token, previous: str) -> bool:
     if kind in STARTING:
         return previous in _OPERAND_ENDS
     if previous in _ENDS:
-        return kind == "NAME" or token.value in BLOCKS
-    return previous in _OPERAND_ENDS and token.value in BLOCKS
+        return kind == "NAME" or _names_block(token)
+    return previous in _OPERAND_ENDS and _names_block(token)
+
+
+def _names_block(token: Token) -> bool:
+    """Whether a token is a word that begins blocks; a run of literal vectors is worth its numbers."""
+    return token.type != "BULK" and token.value in BLOCKS
 
 
 def split(text: str, start: int, version_38: bool, before: Reuse | None = None) -> Iterator[Statement]:
@@ -158,7 +163,7 @@ def _end_after(text: str, start: int, tokens: list[Token], opener: Token, end: i
     for previous, token in pairwise(tokens):
         after = after or previous is opener
         begins_line = token.column == 1 and token.line != previous.line
-        if after and begins_line and (token.type in STARTING or token.value in BLOCKS):
+        if after and begins_line and (token.type in STARTING or _names_block(token)):
             line = line_break(text, start + (previous.end_pos or 0), start + (token.start_pos or 0))
             if line is not None:
                 return line - start

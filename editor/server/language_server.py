@@ -23,19 +23,19 @@ def language_server(folders: tuple[Path, ...]) -> Session:
 
 def opened(server: Session, params: types.DidOpenTextDocumentParams) -> None:
     """A text is to be watched."""
-    server.take(params.text_document.uri)
+    server.take(params.text_document.uri, params.text_document.text)
     server.check(params.text_document.uri)
 
 
 async def changed(server: Session, params: types.DidChangeTextDocumentParams) -> None:
     """Something was typed."""
-    server.take(params.text_document.uri)
+    server.edit(params.text_document.uri, params.content_changes)
     server.check_soon(params.text_document.uri)
 
 
 def saved(server: Session, params: types.DidSaveTextDocumentParams) -> None:
-    """Other texts may include this one, and this one others that were saved: look again."""
-    server.check(params.text_document.uri)
+    """What includes this text sees what it is now."""
+    server.check_around(params.text_document.uri)
 
 
 def closed(server: Session, params: types.DidCloseTextDocumentParams) -> None:

@@ -13,7 +13,7 @@ from minipov.editor.analysis.references import Reference, references_here
 from minipov.editor.analysis.references import references as all_references
 from minipov.editor.analysis.signatures import signature_at
 from minipov.editor.server.positions import Positions
-from minipov.editor.server.session import Session, uri_of
+from minipov.editor.server.session import Session
 from minipov.grammar.keywords import KEYWORDS
 from pygls import uris
 from pygls.exceptions import JsonRpcInvalidParams
@@ -114,14 +114,14 @@ def definition(server: Session, params: types.DefinitionParams) -> types.Locatio
     if found is None:
         return None
     other, declaration = found
-    return types.Location(uri_of(other), server.positions(other).range(declaration.start, declaration.end))
+    return types.Location(server.uri(other), server.positions(other).range(declaration.start, declaration.end))
 
 
 def references(server: Session, params: types.ReferenceParams) -> list[types.Location]:
     """Where the name stands, in this text and those around it."""
     wanted = params.context.include_declaration
     return [
-        types.Location(uri_of(one.document), server.positions(one.document).range(one.start, one.end))
+        types.Location(server.uri(one.document), server.positions(one.document).range(one.start, one.end))
         for one in _references(server, params)
         if wanted or not one.declares
     ]
@@ -153,7 +153,7 @@ def rename(server: Session, params: types.RenameParams) -> types.WorkspaceEdit:
     changes: dict[str, list[types.TextEdit]] = {}
     for one in _to_rename(server, params):
         place = server.positions(one.document).range(one.start, one.end)
-        changes.setdefault(uri_of(one.document), []).append(types.TextEdit(place, new))
+        changes.setdefault(server.uri(one.document), []).append(types.TextEdit(place, new))
     return types.WorkspaceEdit(changes=changes)
 
 

@@ -14,6 +14,11 @@ from pygls.lsp.client import LanguageClient
 T = TypeVar("T")
 
 
+def end_of(text: str) -> types.Position:
+    """The position behind a text of ASCII characters."""
+    return types.Position(text.count("\n"), len(text) - text.rfind("\n") - 1)
+
+
 class Client:
     """Starts the server; ``^`` in a text that is opened marks a position."""
 
@@ -24,6 +29,8 @@ class Client:
         self.news: asyncio.Event = asyncio.Event()
         self.client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(lambda params: self._published(params))
         self.versions: dict[str, int] = {}
+        self.complaints: list[str] = []
+        self.client.feature(types.WINDOW_SHOW_MESSAGE)(lambda params: self.complaints.append(params.message))
 
     def __enter__(self) -> Client:
         self.wait(self.client.start_io(sys.executable, "-m", "minipov", "lsp"))
@@ -39,6 +46,7 @@ class Client:
         self.client.exit(None)
         self.wait(self.client.stop())
         self.loop.close()
+        assert self.complaints == []
 
     def wait(self, coroutine: Coroutine[Any, Any, T]) -> T:
         """Run until the answer is there."""
@@ -56,8 +64,17 @@ class Client:
             types.DidOpenTextDocumentParams(types.TextDocumentItem(uri, "povray", 1, before + after))
         )
         self.versions[uri] = 1
-        line = before.count("\n")
-        return types.TextDocumentIdentifier(uri), types.Position(line, len(before) - before.rfind("\n") - 1)
+        return types.TextDocumentIdentifier(uri), end_of(before)
+
+    def type(self, document: types.TextDocumentIdentifier, at: types.Position, text: str) -> None:
+        """Put characters in at a position, as an editor does for each key."""
+        self.versions[document.uri] += 1
+        self.client.text_document_did_change(
+            types.DidChangeTextDocumentParams(
+                types.VersionedTextDocumentIdentifier(self.versions[document.uri], document.uri),
+                [types.TextDocumentContentChangePartial(types.Range(at, at), text)],
+            )
+        )
 
     def change(self, document: types.TextDocumentIdentifier, text: str) -> None:
         """Replace the whole text."""

@@ -126,3 +126,9 @@ def test_the_library_reads_a_changed_include_again(tmp_path: Path) -> None:
     edited = library.put(str(tmp_path / "a.inc"), "#declare Three = 3;")
     assert "Three" in globals_of(edited)
     assert [one.message for one in problems(document, library)] == ["unknown name 'Two'"]
+
+
+def test_a_run_of_vectors_in_a_block_that_is_not_closed() -> None:
+    text = "mesh2 { vertex_vectors { 40,\n" + "<1, 2, 3>,\n" * 40 + "sphere { 0, 1 }\n"
+    (found,) = syntax_problems(Document(text))
+    assert "never closed" in found.message
