@@ -90,7 +90,8 @@ pub(super) fn mirror_direction(direction: Vec3, normal: Vec3, true_normal: Vec3)
     kept.normalized()
 }
 
-/// Fresnel's law for unpolarised light that arrives at cosine `cos` and enters a medium of relative density `ior`.
+/// Fresnel's law for unpolarised light that arrives at cosine `cos` and enters a medium of relative density `ior`; all
+/// is mirrored where bumps turn the surface away from the ray.
 fn fresnel(cos: f64, ior: f64) -> f64 {
     let g2 = ior * ior + cos * cos - 1.0;
     if g2 < 0.0 {
@@ -99,5 +100,5 @@ fn fresnel(cos: f64, ior: f64) -> f64 {
     let g = g2.sqrt();
     let s = (g - cos) / (g + cos);
     let p = (cos * (g + cos) - 1.0) / (cos * (g - cos) + 1.0);
-    0.5 * s * s * (1.0 + p * p)
+    (0.5 * s * s * (1.0 + p * p)).min(1.0)
 }
