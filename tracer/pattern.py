@@ -28,13 +28,13 @@ class PatternModifiers:
     """How a point reaches a pattern and how the value is shaped.
 
     ``warps`` (transforms among them) stand in source order; ``turbulence`` is the classic modifier, applied after
-    all of them. ``wave`` None means the pattern's own wave. ``noise_generator`` None means the scene's.
+    all of them. ``frequency`` and ``wave`` None mean the pattern's own. ``noise_generator`` None means the scene's.
     ``uv_mapping`` evaluates at ``(u, v, 0)`` of the surface instead of the point.
     """
 
     warps: tuple[Warp, ...] = ()
     turbulence: Turbulence | None = None
-    frequency: float = 1.0
+    frequency: float | None = None
     phase: float = 0.0
     wave: Wave | None = None
     poly_exponent: float = 1.0

@@ -25,7 +25,7 @@ keywords!(
 pub struct PatternModifiers {
     pub warps: Vec<Warp>,
     pub turbulence: Option<Turbulence>,
-    pub frequency: f64,
+    pub frequency: Option<f64>,
     pub phase: f64,
     pub wave: Option<WaveKind>,
     pub poly_exponent: f64,

@@ -28,14 +28,14 @@ impl Builder {
     /// A pattern with its modifiers; None for one that cannot be evaluated yet, which is noted.
     pub fn pattern(&mut self, node: &graph::Pattern, modifiers: &graph::PatternModifiers) -> Option<Pattern> {
         let kind = self.pattern_kind(node)?;
-        let modifiers = self.modifiers(modifiers, kind.own_wave());
+        let modifiers = self.modifiers(modifiers, &kind.own_waveform());
         Some(Pattern { kind, modifiers })
     }
 
-    /// The modifiers of a pattern whose own wave is `own_wave`.
-    pub(crate) fn modifiers(&mut self, node: &graph::PatternModifiers, own_wave: Wave) -> Modifiers {
+    /// The modifiers of a pattern that has `own` for what is not said.
+    pub(crate) fn modifiers(&mut self, node: &graph::PatternModifiers, own: &Waveform) -> Modifiers {
         let wave = match node.wave {
-            None => own_wave,
+            None => own.wave,
             Some(WaveKind::Ramp) => Wave::Ramp,
             Some(WaveKind::Triangle) => Wave::Triangle,
             Some(WaveKind::Sine) => Wave::Sine,
@@ -47,7 +47,7 @@ impl Builder {
         Modifiers {
             warps: node.warps.iter().map(Warp::from).collect(),
             turbulence: node.turbulence.as_ref().map(TurbulenceModifier::from),
-            waveform: Waveform::new(node.frequency, node.phase, wave),
+            waveform: Waveform::new(node.frequency.unwrap_or(own.frequency), node.phase, wave),
             noise_generator: node.noise_generator.map_or(self.noise_generator, NoiseGenerator::from_number),
             uv_mapping: node.uv_mapping,
         }
@@ -56,7 +56,7 @@ impl Builder {
     /// The numbers of a `material_map` as a block pattern.
     pub fn material_pattern(&mut self, node: &MaterialMap) -> Pattern {
         let kind = PatternKind::Material(Box::new(ImageMapping::from(&node.mapping)));
-        let modifiers = self.modifiers(&node.modifiers, kind.own_wave());
+        let modifiers = self.modifiers(&node.modifiers, &kind.own_waveform());
         Pattern { kind, modifiers }
     }
 

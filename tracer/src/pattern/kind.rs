@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::image_pattern::material_number;
-use super::{blocks, cells, noisy, shells, spirals, surface};
+use super::{blocks, cells, noisy, shells, spirals, surface, wave};
 use super::{
     Brick, Crackle, DensityFile, Facets, Fractal, ImagePattern, Modifiers, Slope, SurfaceContext, Tiling,
-    Wave, WaveSources,
+    Wave, WaveSources, Waveform,
 };
 use crate::function::Function;
 use crate::geometry::Questioned;
@@ -98,7 +98,7 @@ impl PatternKind {
             PatternKind::Cylindrical => shells::fading(p.x.hypot(p.z)),
             PatternKind::DensityFile(file) => file.value(p),
             PatternKind::Dents => noisy::dents(p, generator),
-            PatternKind::Function(function) => function.at(p),
+            PatternKind::Function(function) => wave::folded(function.at(p)),
             PatternKind::Gradient(direction) => shells::wrapped(p.dot(*direction)),
             PatternKind::Fractal(fractal) => fractal.value(p),
             PatternKind::Granite => noisy::granite(p, generator),
@@ -127,12 +127,14 @@ impl PatternKind {
         }
     }
 
-    /// The wave used where none is asked for.
-    pub fn own_wave(&self) -> Wave {
+    /// The frequency and the wave used where none is asked for.
+    pub fn own_waveform(&self) -> Waveform {
         match self {
-            PatternKind::Marble | PatternKind::Wood => Wave::Triangle,
-            PatternKind::Spiral1 { .. } | PatternKind::Spiral2 { .. } => Wave::Triangle,
-            _ => Wave::Ramp,
+            PatternKind::Marble | PatternKind::Wood => Waveform::plain(Wave::Triangle),
+            PatternKind::Spiral1 { .. } | PatternKind::Spiral2 { .. } => Waveform::plain(Wave::Triangle),
+            PatternKind::Image(_) | PatternKind::Quilted { .. } => Waveform::UNCHANGED,
+            _ if self.is_blocks() => Waveform::UNCHANGED,
+            _ => Waveform::default(),
         }
     }
 

@@ -49,7 +49,7 @@ pub struct Pattern {
 impl Pattern {
     /// A pattern without modifiers, shaped by its own waveform.
     pub fn plain(kind: PatternKind) -> Pattern {
-        let modifiers = Modifiers { waveform: Waveform::plain(kind.own_wave()), ..Modifiers::default() };
+        let modifiers = Modifiers { waveform: kind.own_waveform(), ..Modifiers::default() };
         Pattern { kind, modifiers }
     }
 
@@ -75,13 +75,14 @@ impl Pattern {
     /// The shaped value at a point of the pattern's own space.
     #[inline]
     pub fn value_in_place(&self, place: Vec3, surface: &SurfaceContext) -> f64 {
-        let raw = self.kind.value(place, &self.modifiers, surface);
-        // The numbers of blocks stay as they are, unless a frequency or phase is asked for.
-        if self.kind.is_blocks() && self.modifiers.waveform.is_plain() {
-            raw
-        } else {
-            self.modifiers.waveform.shape(raw)
-        }
+        self.modifiers.waveform.shape(self.kind.value(place, &self.modifiers, surface))
+    }
+
+    /// Whether its values are whole numbers that pick from a list; those that a frequency or wave has changed mix the
+    /// list's neighbours.
+    pub fn picks(&self) -> bool {
+        let Waveform { frequency, wave, .. } = self.modifiers.waveform;
+        frequency == 0.0 && wave == Wave::Ramp
     }
 
     /// The number of the block at `p`, and the point in the pattern's own space.

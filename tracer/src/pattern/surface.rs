@@ -1,5 +1,6 @@
 //! SDL: `slope {V, lo, hi altitude V, lo, hi}`, `aoi`: patterns that look at the surface, not only at the point.
 
+use super::wave::folded;
 use crate::math::{vec3, Vec3};
 
 /// What a texture may ask about the surface that it is evaluated on.
@@ -56,13 +57,18 @@ impl Slope {
         let slope_weight = if self.point_at { 1.0 } else { towards.length() };
         let cosine = surface.normal.dot(towards.normalized()).clamp(-1.0, 1.0);
         let slope = stretch(0.5 + cosine.asin() / std::f64::consts::PI, self.low, self.high);
-        match self.altitude {
+        let value = match self.altitude {
             None => slope,
             Some((direction, low, high)) => {
                 let weight = direction.length();
                 let altitude = stretch(p.dot(direction.normalized()), low, high);
                 (slope_weight * slope + weight * altitude) / (slope_weight + weight)
             }
+        };
+        if value < 0.0 {
+            value - value.floor()
+        } else {
+            folded(value)
         }
     }
 }

@@ -29,6 +29,15 @@ pub fn triangle(v: f64) -> f64 {
     2.0 * if offset >= 0.5 { 1.0 - offset } else { offset }
 }
 
+/// The part after the point of a value above 1.
+pub(super) fn folded(v: f64) -> f64 {
+    if v > 1.0 {
+        v % 1.0
+    } else {
+        v
+    }
+}
+
 /// A sine with period 1.
 pub fn cycloidal(v: f64) -> f64 {
     ((v - v.floor()) * TAU).sin()
@@ -67,15 +76,12 @@ impl Default for Waveform {
 }
 
 impl Waveform {
+    /// Leaves values as they are, even those above 1.
+    pub const UNCHANGED: Waveform = Waveform { frequency: 0.0, phase: 0.0, wave: Wave::Ramp };
+
     /// Frequency 1, phase 0.
     pub fn plain(wave: Wave) -> Waveform {
         Waveform { frequency: 1.0, phase: 0.0, wave }
-    }
-
-    /// Whether frequency and phase change nothing.
-    #[inline]
-    pub fn is_plain(&self) -> bool {
-        self.frequency == 1.0 && self.phase == 0.0
     }
 
     /// POV-Ray keeps the numbers in single precision, and so the values come out.

@@ -95,7 +95,8 @@ impl Builder<'_> {
                 let textures: Vec<_> = list.textures.iter().map(|t| self.add(t)).collect();
                 match pattern {
                     None => self.textures[textures[0] as usize].clone(),
-                    Some(p) => Texture::Blocks(Box::new((p, textures))),
+                    Some(p) if p.picks() => Texture::Blocks(Box::new((p, textures))),
+                    Some(p) => Texture::Map(Box::new((p, BlendMap::numbered(textures)))),
                 }
             }
         }

@@ -47,7 +47,11 @@ impl Builder {
             Some(graph::NormalBlend::List(list)) => {
                 let one = |n: &Option<_>| n.as_ref().map_or(Normal::Smooth, |n| self.normal_within(n, scale));
                 let normals = list.normals.iter().map(one).collect();
-                return Some(Normal::Blocks(Arc::new((pattern, normals, scale))));
+                return Some(if pattern.picks() {
+                    Normal::Blocks(Arc::new((pattern, normals, scale)))
+                } else {
+                    Normal::Normals(Arc::new((pattern, BlendMap::numbered(normals), scale)))
+                });
             }
             Some(graph::NormalBlend::Slopes(map)) => Some(SlopeMap::new(map.entries.clone())),
             None => None,

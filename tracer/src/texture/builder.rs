@@ -11,7 +11,7 @@ use crate::graph::pattern::Pattern;
 use crate::graph::pigment as graph;
 use crate::graph::{Shared, Unsupported};
 use crate::noise::NoiseGenerator;
-use crate::pattern::{PatternKind, Wave, WaveSources};
+use crate::pattern::{PatternKind, WaveSources, Waveform};
 
 /// Builds the textures of one scene. Nodes are known by address: the graph must outlive the builder.
 pub struct Builder {
@@ -70,11 +70,11 @@ impl Builder {
     pub fn build_pigment(&mut self, node: &graph::Pigment) -> Pigment {
         if let Some(graph::PigmentBlend::UserDefined(defined)) = &node.blend {
             let functions = defined.functions.iter().map(|f| self.function(f.as_ref()?)).collect();
-            let modifiers = self.modifiers(&node.modifiers, Wave::Ramp);
+            let modifiers = self.modifiers(&node.modifiers, &Waveform::default());
             return Pigment::UserDefined(Arc::new((modifiers, functions)));
         }
         if let Some(Pattern::ImageMap(map)) = &node.pattern {
-            let modifiers = self.modifiers(&node.modifiers, Wave::Ramp);
+            let modifiers = self.modifiers(&node.modifiers, &Waveform::default());
             return Pigment::Image(Arc::new((modifiers, ImageMap::new(map))));
         }
         let Some(kind) = &node.pattern else { return Pigment::Solid(node.color) };

@@ -17,6 +17,11 @@ impl<T> BlendMap<T> {
         BlendMap(entries)
     }
 
+    /// A list as a map: its entries stand at 0, 1, 2, ...
+    pub fn numbered(list: Vec<T>) -> BlendMap<T> {
+        BlendMap::new(list.into_iter().enumerate().map(|(i, entry)| (i as f64, entry)).collect())
+    }
+
     /// All entries, in order.
     pub fn entries(&self) -> &[(f64, T)] {
         &self.0

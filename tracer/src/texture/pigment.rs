@@ -63,7 +63,11 @@ impl Pigment {
         let missing = |color| Pigment::Solid(if of_colors { color } else { Rgbft::default() });
         let defaults = default_map::block_colors(&pattern.kind).into_iter().map(missing);
         pigments.extend(defaults.skip(pigments.len()));
-        Pigment::Blocks(Arc::new((pattern, pigments)))
+        if pattern.picks() {
+            Pigment::Blocks(Arc::new((pattern, pigments)))
+        } else {
+            Pigment::Pigments(Arc::new((pattern, BlendMap::numbered(pigments))))
+        }
     }
 
     /// The colour at `p`.

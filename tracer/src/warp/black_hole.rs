@@ -23,6 +23,19 @@ pub struct BlackHole {
 }
 
 impl BlackHole {
+    /// A hole is moved to lie in its block, and the block grows to hold it wherever turbulence shifts it (probed).
+    pub(super) fn fitted(mut self) -> BlackHole {
+        let Some(mut repeat) = self.repeat else { return self };
+        for axis in 0..3 {
+            if repeat[axis] != 0.0 {
+                self.center[axis] = self.center[axis].max(self.radius);
+                repeat[axis] = repeat[axis].max(self.center[axis] + self.radius + self.turbulence[axis]);
+            }
+        }
+        self.repeat = Some(repeat);
+        self
+    }
+
     /// Where `p` comes from: further out for a pull, since the pattern moves against the points.
     pub fn apply(&self, p: Vec3) -> Vec3 {
         let from_center = p - self.center_near(p);
@@ -41,13 +54,11 @@ impl BlackHole {
 
     fn center_near(&self, p: Vec3) -> Vec3 {
         let Some(repeat) = self.repeat else { return self.center };
-        let (mut block, mut center) = (Vec3::ZERO, self.center);
+        let mut block = Vec3::ZERO;
         for axis in (0..3).filter(|&a| repeat[a] != 0.0) {
             block[axis] = (p[axis] / repeat[axis]).floor();
-            // A hole is moved to lie in its block (probed).
-            center[axis] = center[axis].max(self.radius);
         }
-        let corner = center + block.mul_each(repeat);
+        let corner = self.center + block.mul_each(repeat);
         if self.turbulence == Vec3::ZERO {
             return corner;
         }

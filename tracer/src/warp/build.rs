@@ -21,15 +21,18 @@ impl From<&graph::Warp> for Warp {
             graph::Warp::Transform(t) => Warp::Transform(Box::new(*t)),
             graph::Warp::Turbulence(t) => Warp::Turbulence(t.into()),
             graph::Warp::Repeat(r) => Warp::Repeat(Repeat::new(r.axis, r.width, r.offset, r.flip)),
-            graph::Warp::BlackHole(b) => Warp::BlackHole(Box::new(BlackHole {
-                center: b.center,
-                radius: b.radius,
-                strength: b.strength,
-                falloff: b.falloff,
-                inverse: b.inverse,
-                repeat: b.repeat,
-                turbulence: b.turbulence,
-            })),
+            graph::Warp::BlackHole(b) => {
+                let hole = BlackHole {
+                    center: b.center,
+                    radius: b.radius,
+                    strength: b.strength,
+                    falloff: b.falloff,
+                    inverse: b.inverse,
+                    repeat: b.repeat,
+                    turbulence: b.turbulence,
+                };
+                Warp::BlackHole(Box::new(hole.fitted()))
+            }
             graph::Warp::Cylindrical(m) => mapping(Projection::Cylindrical, m.orientation, m.dist_exp),
             graph::Warp::Spherical(m) => mapping(Projection::Spherical, m.orientation, m.dist_exp),
             graph::Warp::Toroidal(m) => {
