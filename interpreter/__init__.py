@@ -8,6 +8,6 @@
 
 from minipov.interpreter.context import Options
 from minipov.interpreter.errors import Message, Messages, SdlError, format_error
-from minipov.interpreter.run import load, load_text
+from minipov.interpreter.run import load, load_text, mistakes
 
-__all__ = ["Message", "Messages", "Options", "SdlError", "format_error", "load", "load_text"]
+__all__ = ["Message", "Messages", "Options", "SdlError", "format_error", "load", "load_text", "mistakes"]

@@ -10,7 +10,8 @@ from contextvars import copy_context
 from pathlib import Path
 from typing import Any, TypeVar
 
-from minipov.interpreter.cache import compiled
+from minipov.interpreter.cache import compile_text, compiled
+from minipov.interpreter.compiler.program import Program
 from minipov.interpreter.constructs.default import set_version
 from minipov.interpreter.constructs.scene import finished
 from minipov.interpreter.context import Context, Options, set_current_context
@@ -18,6 +19,7 @@ from minipov.interpreter.errors import NOWHERE, Messages, SdlError
 from minipov.interpreter.runtime.faults import explained
 from minipov.interpreter.runtime.library import library
 from minipov.interpreter.runtime.program import Running
+from minipov.interpreter.runtime.recovery import Recovery
 from minipov.interpreter.runtime.search import FileSearch
 from minipov.tracer.scene import Scene
 
@@ -53,19 +55,48 @@ def load_text(
     return _run(name, text.encode(), options or Options(), messages or Messages(), Path(name).parent)
 
 
-def _run(name: str, content: bytes, options: Options, messages: Messages, folder: Path) -> Scene:
+def mistakes(path: str | Path, options: Options | None = None, messages: Messages | None = None) -> list[SdlError]:
+    """What stops a scene: after a mistake this goes on with the next statement of the scene's own file, where it can.
+
+    The last of several may have ended the run.
+    """
+    found: list[SdlError] = []
+    try:
+        content = Path(path).read_bytes()
+        _run(str(path), content, options or Options(), messages or Messages(), Path(path).parent, found)
+    except OSError as error:
+        return [SdlError(f"cannot read '{path}': {error.strerror or error}")]
+    except SdlError as error:
+        found.append(error)
+    return found
+
+
+def _run(
+    name: str,
+    content: bytes,
+    options: Options,
+    messages: Messages,
+    folder: Path,
+    problems: list[SdlError] | None = None,
+) -> Scene:
     search = FileSearch(options.library_paths, options.files, [folder])
     context = Context(options, messages, search.find)
     if options.version is not None:
         set_version(context, options.version)
-    return _with_deep_stack(lambda: _read(name, content, context, search))
+    return _with_deep_stack(lambda: _read(name, content, context, search, problems))
 
 
-def _read(name: str, content: bytes, context: Context, search: FileSearch) -> Scene:
+def _read(name: str, content: bytes, context: Context, search: FileSearch, problems: list[SdlError] | None) -> Scene:
+    """The scene; with a list for ``problems``, mistakes are put there where the run can go on."""
     set_current_context(context)
     running = Running(context, search, compiled)
     running.input_file_name = name
     running.library = library(running)
+    if problems is not None:
+        running.load = lambda path, text: (
+            compile_text(path, text, recovering=True) if path == name else compiled(path, text)
+        )
+        running.library["recovered"] = Recovery(running, name, problems).recovered
     try:
         running.run(name, content)
         running.blocks.finish(NOWHERE)
@@ -73,9 +104,15 @@ def _read(name: str, content: bytes, context: Context, search: FileSearch) -> Sc
         raise explained(error, running.sources) from None
     finally:
         running.files.close_all()
+    if problems:
+        raise problems.pop()
     if not context.version_was_set:
         context.messages.warn("there is no #version directive: an old version is assumed", (name, 1, 1))
     return finished(context)
+
+
+def _compiled_recovering(main: str, path: str, content: bytes) -> Program:
+    return compile_text(path, content, recovering=True) if path == main else compiled(path, content)
 
 
 def _with_deep_stack(work: Callable[[], T]) -> T:

@@ -6,7 +6,8 @@
     minipov check *.pov +L../library --json
 
 A text that cannot be parsed has all its mistakes told, by parsing on after each. Else the scene is run, which tells the
-warnings and the first mistake; what looks wrong further down follows as warnings. Options are those of a render.
+warnings and the mistakes, going on with the next statement where that makes sense; what looks wrong behind the last one
+follows as warnings. Options are those of a render.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from minipov.exit_status import OK, SCENE_ERROR, USAGE_ERROR
 from minipov.frames import frames
 from minipov.grammar.text import decode
 from minipov.include_path import startup_ini
-from minipov.interpreter import Messages, SdlError, format_error, load
+from minipov.interpreter import Messages, SdlError, format_error, mistakes
 from minipov.interpreter.errors import Place
 from minipov.options import CommandLine, UsageError, parse_command_line
 from minipov.pipeline import load_options
@@ -102,14 +103,12 @@ def _syntax(scene: Path, text: str, error: SdlSyntaxError) -> list[Finding]:
 def _run(scene: Path, text: str, command: CommandLine) -> list[Finding]:
     """What the scene says when it runs; where it stops before its end, also what looks wrong behind that."""
     messages = Messages()
-    try:
-        load(scene, load_options(command, frames(command)[0], {}), messages)
-    except SdlError as error:
-        failed = [Finding("error", *error.place, error.message, error.hint, error.stack)]
-        behind = error.place[1] if error.place[0] == str(scene) else 0
+    errors = mistakes(scene, load_options(command, frames(command)[0], {}), messages)
+    failed = [Finding("error", *error.place, error.message, error.hint, error.stack) for error in errors]
+    if errors:
+        last = errors[-1].place
+        behind = last[1] if last[0] == str(scene) else 0
         failed += [finding for finding in _suspected(scene, text, command) if finding.line > behind]
-    else:
-        failed = []
     warned = [message for message in messages.all if message.kind == "warning"]
     return [Finding("warning", *message.place, message.text) for message in warned] + failed
 

@@ -118,6 +118,11 @@ class Emitter:
         """``while test: body``."""
         return ast.While(test, body or [self.nothing()], [], **self._place)
 
+    def try_(self, body: Statements, error: str, handler: Statements) -> ast.stmt:
+        """``try: body except Exception as error: handler``."""
+        caught = ast.ExceptHandler(self.name("Exception"), error, handler, **self._place)
+        return ast.Try(body or [self.nothing()], [caught], [], [], **self._place)
+
     def break_(self) -> ast.stmt:
         """``break``."""
         return ast.Break(**self._place)

@@ -36,16 +36,19 @@ class Items(FunctionLiterals):
         run = Run()
         at = 0
         while at < len(items):
-            item = items[at]
-            if isinstance(item, DIRECTIVES):
-                self.flush(run)
-                at = self.directive(items, at)
-            elif isinstance(item, tree.Keyword):
-                at = self._keyword(items, at, run)
-            else:
-                self._item(item, run)
-                at += 1
+            at = self.one(items, at, run)
         self.flush(run)
+
+    def one(self, items: Sequence[tree.Item], at: int, run: Run) -> int:
+        """Statements for ``items[at]`` and what belongs to it; gives the index after that."""
+        item = items[at]
+        if isinstance(item, DIRECTIVES):
+            self.flush(run)
+            return self.directive(items, at)
+        if isinstance(item, tree.Keyword):
+            return self._keyword(items, at, run)
+        self._item(item, run)
+        return at + 1
 
     def flush(self, run: Run) -> None:
         """Push a run."""

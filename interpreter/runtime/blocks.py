@@ -118,6 +118,12 @@ class Blocks:
         assert sink.parent is not None
         self.sink = sink.parent
 
+    def abandon(self) -> None:
+        """Forget all that is open: the statement cannot be read."""
+        self.file.items.clear()
+        self.file.places.clear()
+        self.sink = self.file
+
     def finish(self, place: Place) -> None:
         """The scene ends here: complain of what is still open."""
         if self.sink is not self.file:

@@ -37,8 +37,28 @@ def test_a_mistake_at_run_time_and_what_follows(tmp_path: Path) -> None:
     run = minipov("check", "wrong.pov", "--json", cwd=tmp_path)
     assert run.returncode == MISTAKES, said(run)
     found = [(entry["severity"], entry["line"], entry["column"]) for entry in json.loads(run.stdout)]
-    assert found == [("warning", 1, 1), ("error", 3, 10), ("warning", 4, 13)]
+    assert found == [("warning", 1, 1), ("error", 3, 10), ("error", 4, 13)]
     assert "Size" in json.loads(run.stdout)[1]["hint"]
+
+
+def test_going_on_after_mistakes_at_run_time(tmp_path: Path) -> None:
+    scene = """#version 3.7;
+#declare Far = sqrt(-4);
+union { sphere { 0, Far } sphere { 0, "one" } }
+sphere { 0, Far }
+#macro Ball(R) sphere { R, Colour } #end
+#for (I, 1, 3) Ball(I) #end
+sphere { Colour, 1 }
+box { 0, <1, 2, 3, 4> }
+#error "enough"
+box { 0, <1, 2, 3, 4> }
+"""
+    (tmp_path / "wrong.pov").write_text(scene)
+    run = minipov("check", "wrong.pov", "--json", cwd=tmp_path)
+    assert run.returncode == MISTAKES, said(run)
+    found = [(entry["line"], entry["message"]) for entry in json.loads(run.stdout) if entry["severity"] == "error"]
+    assert [line for line, _ in found] == [2, 5, 8, 9]
+    assert found[1][1] == "'Colour' is not declared"
 
 
 def test_a_mistake_in_a_macro_names_the_call(tmp_path: Path) -> None:
