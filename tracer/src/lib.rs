@@ -23,6 +23,7 @@ pub mod radiosity;
 pub mod render;
 pub mod shade;
 pub mod shape;
+pub mod subsurface;
 #[cfg(test)]
 mod testing;
 pub mod texture;

@@ -49,6 +49,17 @@ impl Geometry {
         best
     }
 
+    /// The first hit of one object at the top with `from < t`.
+    pub fn nearest_of(&self, object: NodeId, ray: &Ray, from: f64, counters: &mut Counters) -> Option<Hit> {
+        let mut best = None;
+        let mut keep = |hit: Hit, _: f64| {
+            best = Some(Hit { object, ..hit });
+            hit.crossing.t
+        };
+        self.offer_node(object, &Query::new(*ray), from, f64::INFINITY, counters, &mut keep);
+        best
+    }
+
     /// Shows every hit with `from < t <= limit`, in no certain order, until told to stop; whether it was.
     pub fn any(
         &self,

@@ -19,6 +19,7 @@ use crate::noise::NoiseGenerator;
 use crate::photon;
 use crate::radiosity::Settings;
 use crate::shade::Layering;
+use crate::subsurface;
 use crate::texture::Builder;
 
 /// Makes a scene ready for rendering; what cannot be rendered is left out and listed.
@@ -68,6 +69,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
         quality,
         photons: photons(scene, &quality),
         radiosity: radiosity(scene, &quality),
+        subsurface: subsurface(scene, &quality),
         uses_uv,
         layering: Layering::of_version(scene.version),
         max_trace_level: global.max_trace_level,
@@ -88,4 +90,10 @@ fn photons(scene: &graph::scene::Scene, quality: &Quality) -> Option<photon::Set
 /// How light between surfaces is gathered, if it is.
 fn radiosity(scene: &graph::scene::Scene, quality: &Quality) -> Option<Settings> {
     scene.settings.radiosity.as_ref().filter(|_| quality.volumes).map(Settings::from)
+}
+
+/// How light under surfaces is sampled, if it is.
+fn subsurface(scene: &graph::scene::Scene, quality: &Quality) -> Option<subsurface::Settings> {
+    let settings = scene.settings.subsurface.as_ref().filter(|_| quality.volumes)?;
+    Some(subsurface::Settings { many: settings.samples.0, once: settings.samples.1 })
 }

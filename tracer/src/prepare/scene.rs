@@ -13,6 +13,7 @@ use crate::noise::NoiseGenerator;
 use crate::photon;
 use crate::radiosity;
 use crate::shade::{BodyId, Interiors, Layering, Spot, Texture, TextureId};
+use crate::subsurface;
 
 /// A scene ready for rendering.
 #[derive(Debug)]
@@ -49,6 +50,8 @@ pub struct Scene {
     pub photons: Option<photon::Settings>,
     /// How light between surfaces is gathered, if it is.
     pub radiosity: Option<radiosity::Settings>,
+    /// How light under surfaces is sampled, if it is.
+    pub subsurface: Option<subsurface::Settings>,
     /// How layers cover each other.
     pub layering: Layering,
     /// Longest chain of rays.

@@ -23,8 +23,16 @@ pub fn prepare(
     // Gathered light takes the place of ambient light, but not in old scenes (probed).
     let gathers = scene.settings.radiosity.is_some() && quality.volumes && scene.version >= 3.7;
     let ambient_light = if gathers { Rgb::BLACK } else { scene.settings.ambient_light };
-    let mut builder =
-        Builder { ambient_light, quality, patterns, textures: Vec::new(), known: HashMap::new() };
+    let translucent = scene.settings.subsurface.is_some() && quality.volumes;
+    let mm_per_unit = translucent.then_some(scene.settings.mm_per_unit);
+    let mut builder = Builder {
+        ambient_light,
+        mm_per_unit,
+        quality,
+        patterns,
+        textures: Vec::new(),
+        known: HashMap::new(),
+    };
     let mut dresses: Vec<Dress> = Vec::new();
     for worn in &geometry.textures {
         let texture = builder.add(&worn.item);
@@ -43,6 +51,8 @@ pub fn prepare(
 
 struct Builder<'a> {
     ambient_light: Rgb,
+    /// None where no light enters surfaces.
+    mm_per_unit: Option<f64>,
     quality: &'a Quality,
     patterns: &'a mut texture::Builder,
     textures: Vec<Texture>,
@@ -111,7 +121,7 @@ impl Builder<'_> {
                 .as_ref()
                 .filter(|_| self.quality.normals)
                 .map(|node| self.patterns.normal(node)),
-            finish: Finish::new(&plain.finish, self.ambient_light),
+            finish: Finish::new(&plain.finish, self.ambient_light, self.mm_per_unit),
         }
     }
 

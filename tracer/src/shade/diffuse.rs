@@ -80,7 +80,7 @@ impl Tracer<'_> {
     ) -> Rgb {
         let mut sum = Rgb::BLACK;
         let diffuse = finish.diffuse[usize::from(backside)];
-        if diffuse != 0.0 {
+        if diffuse != 0.0 && finish.subsurface.is_none() {
             let cos = normal.dot(towards).abs();
             let lobe = if finish.brilliance == 1.0 { cos } else { cos.powf(finish.brilliance) };
             let mut strength = diffuse * lobe * opacity;

@@ -2,6 +2,7 @@
 
 use crate::color::Rgb;
 use crate::graph::finish as graph;
+use crate::subsurface::Translucent;
 
 /// How a surface answers light. Albedo factors are already applied, so every term is a plain factor.
 #[derive(Clone, Debug)]
@@ -28,6 +29,8 @@ pub struct Finish {
     pub conserve_energy: bool,
     /// Thin film: amount, thickness, turbulence.
     pub irid: Option<graph::Iridescence>,
+    /// Light of lamps that enters the surface, in place of their diffuse light.
+    pub subsurface: Option<Translucent>,
     /// Whether any lamp can light this surface.
     pub lit: bool,
     /// Whether light from behind counts.
@@ -50,15 +53,21 @@ pub struct Reflection {
 }
 
 impl Finish {
-    /// Applies `albedo` (the hemispherical reflectance of each lobe, as probed) and the scene's ambient light.
-    pub fn new(f: &graph::Finish, ambient_light: Rgb) -> Finish {
+    /// Applies `albedo` (the hemispherical reflectance of each lobe, as probed) the scene's ambient light, and its scale
+    /// where light may enter surfaces.
+    pub fn new(f: &graph::Finish, ambient_light: Rgb, mm_per_unit: Option<f64>) -> Finish {
         let brilliance_factor = if f.diffuse_albedo { (f.brilliance + 1.0) / 2.0 } else { 1.0 };
         let phong_factor = if f.phong_albedo { (f.phong_size + 1.0) / 2.0 } else { 1.0 };
         let exponent = if f.roughness == 0.0 { 0.0 } else { 1.0 / f.roughness };
         let specular_factor =
             if f.specular_albedo { (exponent + 2.0) / (4.0 * (2.0 - (-exponent / 2.0).exp2())) } else { 1.0 };
         let black = f.reflection.maximum == Rgb::BLACK && f.reflection.minimum == Rgb::BLACK;
-        let lit_from_behind = f.diffuse_back != 0.0;
+        let subsurface = mm_per_unit.and_then(|mm| {
+            let subsurface = f.subsurface.as_ref().filter(|s| s.translucency != Rgb::BLACK)?;
+            Some(Translucent::new(subsurface, f.diffuse * brilliance_factor, mm))
+        });
+        let scatters = subsurface.is_none();
+        let lit_from_behind = scatters && f.diffuse_back != 0.0;
         Finish {
             ambient: f.ambient.mul_each(ambient_light),
             emission: f.emission,
@@ -77,8 +86,9 @@ impl Finish {
             }),
             conserve_energy: f.conserve_energy,
             irid: f.irid.clone().filter(|i| i.amount != 0.0),
-            lit: f.diffuse != 0.0 || lit_from_behind || f.phong != 0.0 || f.specular != 0.0,
+            lit: (scatters && f.diffuse != 0.0) || lit_from_behind || f.phong != 0.0 || f.specular != 0.0,
             lit_from_behind,
+            subsurface,
         }
     }
 }

@@ -8,7 +8,7 @@ use super::shadow::Place;
 use super::texture::Layer;
 use super::{Path, Radiance, Tracer};
 use crate::color::{Rgb, Rgbft};
-use crate::geometry::{Hit, Looks};
+use crate::geometry::{Hit, Looks, NodeId};
 use crate::math::Vec3;
 use crate::pattern::SurfaceContext;
 use crate::prepare::Scene;
@@ -30,6 +30,8 @@ pub struct Spot<'a> {
     pub normal: Vec3,
     /// The point and normals as patterns see them.
     pub context: SurfaceContext,
+    /// The object at the top that was hit.
+    pub object: NodeId,
     /// What the object wears.
     pub looks: &'a Looks,
     /// Whether the ray hits the surface from behind.
@@ -56,6 +58,7 @@ impl<'a> Spot<'a> {
                 point: surface.point,
                 uv: if scene.uses_uv { scene.geometry.uv(hit, surface.point) } else { [0.0; 2] },
             },
+            object: hit.object,
             looks: scene.geometry.looks(hit.node),
             from_inside,
             body: scene.body_of(hit.node),
@@ -115,6 +118,10 @@ impl Tracer<'_> {
             let mut own = color.rgb.mul_each(finish.ambient + finish.emission) * opacity;
             if finish.lit {
                 own += self.lamp_light(spot, finish, normal, color.rgb, opacity);
+            }
+            if let (Some(stuff), Some(settings)) = (&finish.subsurface, scene.subsurface) {
+                // Transparency does not lessen it (probed).
+                own += self.subsurface_light(spot, stuff, settings, normal, color.rgb, weight * through);
             }
             if self.photons.is_some() {
                 own += self.photon_light(spot, finish, normal, color.rgb, opacity);

@@ -16,6 +16,7 @@ mod reflect;
 mod refract;
 mod shadow;
 mod soft_shadow;
+mod subsurface;
 mod texture;
 
 pub use dispersion::Band;
@@ -92,6 +93,8 @@ pub struct Tracer<'s> {
     depth: u32,
     /// Number of rays on the way here that only went straight on.
     straight: u32,
+    /// Number of objects that let light under their surface and that the current ray was seen through.
+    under_surfaces: u32,
     /// The last occluder of each light.
     occluders: Vec<Option<NodeId>>,
     /// Scratch for the transparent surfaces between a point and a lamp.
@@ -124,6 +127,7 @@ impl<'s> Tracer<'s> {
             reach: f64::INFINITY,
             depth: 0,
             straight: 0,
+            under_surfaces: 0,
             occluders: vec![None; scene.lights.len()],
             crossed: Vec::new(),
             grid: Vec::new(),

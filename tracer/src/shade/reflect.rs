@@ -92,7 +92,7 @@ pub(super) fn mirror_direction(direction: Vec3, normal: Vec3, true_normal: Vec3)
 
 /// Fresnel's law for unpolarised light that arrives at cosine `cos` and enters a medium of relative density `ior`; all
 /// is mirrored where bumps turn the surface away from the ray.
-fn fresnel(cos: f64, ior: f64) -> f64 {
+pub(super) fn fresnel(cos: f64, ior: f64) -> f64 {
     let g2 = ior * ior + cos * cos - 1.0;
     if g2 < 0.0 {
         return 1.0;
