@@ -6,6 +6,7 @@ camera { location <0, 2, -6> look_at <0, 0.4, 0> angle 40 }
 light_source { <4, 5, 6>, rgb <0.9, 0.8, 0.7> }
 light_source { <-5, 6, -3>, rgb <0.3, 0.4, 0.5> }
 background { rgb <0.2, 0.25, 0.3> }
+#declare Plain = finish { ambient 0 diffuse 0.6 }
 #default { finish { ambient 0 diffuse 0.8 specular 0.4 subsurface { translucency <4, 2, 1> } } }
 #declare Wax = interior { ior 1.4 }
 difference {
@@ -16,4 +17,4 @@ difference {
 }
 torus { 0.5, 0.15 rotate 90*x translate <0.4, 0.65, 0> pigment { rgb <0.4, 0.8, 0.5> } interior { Wax } }
 blob { threshold 0.5 sphere { <1.5, 0.4, 0>, 0.9, 1 } sphere { <1.5, 1, 0>, 0.7, 1 } pigment { rgb <0.9, 0.5, 0.5> } interior { ior 1.3 } }
-plane { y, 0 pigment { rgb <0.7, 0.7, 0.8> } finish { diffuse 0.6 specular 0 subsurface { translucency 0 } } }
+plane { y, 0 texture { pigment { rgb <0.7, 0.7, 0.8> } finish { Plain } } }

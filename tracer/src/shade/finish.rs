@@ -62,10 +62,8 @@ impl Finish {
         let specular_factor =
             if f.specular_albedo { (exponent + 2.0) / (4.0 * (2.0 - (-exponent / 2.0).exp2())) } else { 1.0 };
         let black = f.reflection.maximum == Rgb::BLACK && f.reflection.minimum == Rgb::BLACK;
-        let subsurface = mm_per_unit.and_then(|mm| {
-            let subsurface = f.subsurface.as_ref().filter(|s| s.translucency != Rgb::BLACK)?;
-            Some(Translucent::new(subsurface, f.diffuse * brilliance_factor, mm))
-        });
+        let subsurface =
+            mm_per_unit.and_then(|mm| Some(Translucent::new(f.subsurface.as_ref()?, f.diffuse, mm)));
         let scatters = subsurface.is_none();
         let lit_from_behind = scatters && f.diffuse_back != 0.0;
         Finish {

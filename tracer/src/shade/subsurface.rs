@@ -112,7 +112,7 @@ impl Tracer<'_> {
         for _ in 0..count {
             for (channel, dipole) in channels.iter().enumerate() {
                 let way = -(1.0 - self.random.unit()).ln() / dipole.extinction;
-                if way.is_finite() && dipole.albedo > 0.0 {
+                if dipole.is_sound() {
                     let light = self.scattered_at(
                         spot,
                         dipole,
