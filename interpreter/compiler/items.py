@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from minipov.grammar import tree
 from minipov.interpreter.compiler.constants import Plain, plain_array
 from minipov.interpreter.compiler.function_literals import FunctionLiterals
-from minipov.interpreter.compiler.shapes import DIRECTIVES, EXPRESSIONS, constant, is_comma, may_splice
+from minipov.interpreter.compiler.shapes import DIRECTIVES, EXPRESSIONS, constant, is_comma, may_splice, parted
 from minipov.interpreter.errors import Place
 
 
@@ -47,7 +47,8 @@ class Items(FunctionLiterals):
             return self.directive(items, at)
         if isinstance(item, tree.Keyword):
             return self._keyword(items, at, run)
-        self._item(item, run)
+        for part in parted(item) or (item,):
+            self._item(part, run)
         return at + 1
 
     def flush(self, run: Run) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import pi, tau
 from typing import Any, Final
 
@@ -69,6 +70,16 @@ def _folded(operator: str, left: Any, right: Any) -> Any:
         return left / right if isinstance(right, float) and right else None
     except TypeError:
         return None
+
+
+def parted(item: tree.Item) -> tuple[tree.Expression, tree.Expression] | None:
+    """A function or string that a sum begins with, and the signed rest: ``function {...} -0.5`` are two items."""
+    if not isinstance(item, tree.Binary) or item.operator not in ("+", "-"):
+        return None
+    if isinstance(item.left, tree.FunctionLiteral | tree.String):
+        return item.left, tree.Unary(item.line, item.column, "-" if item.operator == "-" else "+", item.right)
+    inner = parted(item.left)
+    return inner and (inner[0], replace(item, left=inner[1]))
 
 
 def is_comma(item: tree.Item) -> bool:

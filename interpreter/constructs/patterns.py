@@ -114,7 +114,8 @@ def _gradient(reader: ItemReader, context: Context) -> Pattern:
 
 
 def _slope(reader: ItemReader, context: Context) -> Pattern:
-    return read_slope(reader)
+    # Without braces it takes nothing but the direction: a number after that is the amount of bumps.
+    return Slope(reader.vector())
 
 
 def _density_file(reader: ItemReader, context: Context) -> Pattern:
@@ -230,7 +231,7 @@ def object_as_pattern(reader: ItemReader, context: Context, sink: Sink) -> Unrea
 
 
 def read_slope(reader: ItemReader) -> Slope:
-    """``V [, low, high] [altitude V [, low, high]]``."""
+    """``[point_at] V [, low, high] [altitude V [, low, high]]``."""
     point_at = reader.word("point_at") is not None
     said: dict[str, Any] = {"direction": reader.vector(), "point_at": point_at}
     if reader.is_number():
