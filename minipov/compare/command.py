@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 import shlex
 import sys
 from collections.abc import Sequence
@@ -35,9 +36,13 @@ def main(arguments: Sequence[str]) -> int:
     """Run ``minipov diff`` and return 0 within the tolerance, 1 beyond it, 2 where a picture is missing."""
     options = _parser().parse_args(arguments)
     try:
-        if all(path.suffix.lower() in _PICTURES for path in options.paths):
+        pictures = [path for path in options.paths if path.suffix.lower() in _PICTURES]
+        if not pictures:
+            return _compare_scenes(options)
+        if len(pictures) == len(options.paths) == 2:
             return _compare_pictures(options)
-        return _compare_scenes(options)
+        print("minipov diff: compare two pictures, or scenes and folders", file=sys.stderr)
+        return MISSING
     except PovrayMissingError as error:
         print(error, file=sys.stderr)
         return MISSING
@@ -66,14 +71,13 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _size(text: str) -> tuple[int, int]:
-    width, _, height = text.partition("x")
-    return int(width), int(height)
+    match = re.fullmatch(r"([1-9]\d*)x([1-9]\d*)", text)
+    if match is None:
+        raise argparse.ArgumentTypeError(f"'{text}' is no size: give the width and height as in 160x120")
+    return int(match[1]), int(match[2])
 
 
 def _compare_pictures(options: argparse.Namespace) -> int:
-    if len(options.paths) != 2:
-        print("minipov diff: two pictures are needed", file=sys.stderr)
-        return MISSING
     try:
         metrics = measure(*(read_picture(path) for path in options.paths))
     except (OSError, ValueError) as error:

@@ -41,12 +41,12 @@ def read_picture(path: Path) -> Picture:
     """Return a picture as sRGB codes, on black where it is transparent. Raises OSError."""
     opened = oiio.ImageInput.open(str(path))
     if opened is None:
-        raise OSError(f"cannot read {path}: {oiio.geterror()}")
+        raise OSError(f"cannot read {path}: {_first_line(oiio.geterror())}")
     try:
         spec = opened.spec()
         pixels = opened.read_image(0, 0, 0, min(spec.nchannels, 3), "float")
         if pixels is None:
-            raise OSError(f"cannot read {path}: {opened.geterror()}")
+            raise OSError(f"cannot read {path}: {_first_line(opened.geterror())}")
     finally:
         opened.close()
     values = np.asarray(pixels, np.float64).reshape(spec.height, spec.width, -1)
@@ -54,6 +54,10 @@ def read_picture(path: Path) -> Picture:
         values = encode(values, "srgb")
     color = np.broadcast_to(values[..., :1], (*values.shape[:2], 3)) if values.shape[2] < 3 else values
     return np.floor(np.clip(color, 0, 1) * 255 + 0.5).astype(np.uint8)
+
+
+def _first_line(said: str) -> str:
+    return said.partition("\n")[0]
 
 
 def measure(picture: Picture, reference: Picture) -> Metrics:

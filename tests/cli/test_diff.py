@@ -59,6 +59,31 @@ def test_pictures_of_other_sizes(tmp_path: Path) -> None:
     assert "different sizes: 16x12 and 8x8" in said(run)
 
 
+def test_half_a_picture(tmp_path: Path) -> None:
+    Image.effect_noise((64, 48), 50).save(tmp_path / "whole.png")
+    (tmp_path / "half.png").write_bytes((tmp_path / "whole.png").read_bytes()[:900])
+    run = minipov("diff", "whole.png", "half.png", cwd=tmp_path)
+    assert run.returncode == MISSING
+    assert "minipov diff: cannot read half.png" in said(run)
+
+
+@pytest.mark.parametrize("kind", ["I;16", "LA", "RGBA", "P"])
+def test_kinds_of_pictures(tmp_path: Path, kind: str) -> None:
+    """16 bits, an alpha channel, and a palette make no difference where they say the same."""
+    grey = Image.new("I;16", (16, 12), 128 * 257) if kind == "I;16" else Image.new("L", (16, 12), 128).convert(kind)
+    grey.save(tmp_path / "kind.png")
+    run = minipov("diff", "kind.png", paint(tmp_path / "plain.png", GREY_CODES), cwd=tmp_path)
+    assert run.stdout.decode().startswith("exact: within2 1.0000, FLIP 0.0000, mean error 0.000"), said(run)
+
+
+@pytest.mark.parametrize("paths", [["a.png"], ["a.png", "a.png", "a.png"], ["a.png", "scene.pov"]])
+def test_pictures_come_in_pairs(tmp_path: Path, paths: list[str]) -> None:
+    paint(tmp_path / "a.png", GREY_CODES)
+    run = minipov("diff", *paths, cwd=tmp_path)
+    assert run.returncode == MISSING
+    assert "compare two pictures, or scenes and folders" in said(run)
+
+
 def test_metrics_as_json(tmp_path: Path) -> None:
     run = minipov(
         "diff", paint(tmp_path / "a.png", (10, 20, 33)), paint(tmp_path / "b.png", (10, 20, 30)), "--json", cwd=tmp_path
@@ -113,7 +138,7 @@ def test_a_folder_goes_on_after_a_hang_and_an_error(tmp_path: Path) -> None:
     (scenes / "c_refused.pov").write_text("// refuse\n" + WHITE)
     (scenes / "d_works.pov").write_text(WHITE)
     env = fake_povray(tmp_path, WHITE_CODES)
-    run = minipov("diff", "scenes", "--timeout", "6", "--json", "--jobs", "2", cwd=tmp_path, env=env)
+    run = minipov("diff", "scenes", "--timeout", "15", "--json", "--jobs", "2", cwd=tmp_path, env=env)
     verdicts = {outcome["name"]: outcome["verdict"] for outcome in json.loads(run.stdout)}
     assert verdicts == {"a_hangs": "failed", "b_fails": "failed", "c_refused": "no reference", "d_works": "exact"}
     assert run.returncode == MISSING
@@ -135,7 +160,15 @@ def test_a_crash_is_an_outcome(tmp_path: Path) -> None:
     assert made.message == f"killed by signal {signal.SIGSEGV.value}"
 
 
-@pytest.mark.parametrize("arguments", [["diff"], ["diff", "a.png", "b.png", "--tolerance", "near"]])
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["diff"],
+        ["diff", "a.png", "b.png", "--tolerance", "near"],
+        ["diff", "a.pov", "--size", "160"],
+        ["diff", "a.pov", "--size", "0x10"],
+    ],
+)
 def test_usage(tmp_path: Path, arguments: list[str]) -> None:
     run = minipov(*arguments, cwd=tmp_path)
     assert run.returncode == MISSING
