@@ -75,7 +75,8 @@ async function render(): Promise<void> {
   const picture = scene.fsPath.replace(/\.pov$/i, "") + ".png";
   const words = [scene.fsPath, "-o", picture, ...setting<string[]>("renderArguments")];
   if ((await runTask("render", scene, words)) === 0) {
-    await vscode.commands.executeCommand("vscode.open", vscode.Uri.file(picture), vscode.ViewColumn.Beside);
+    const beside = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
+    await vscode.commands.executeCommand("vscode.open", vscode.Uri.file(picture), beside);
   }
 }
 
