@@ -1,20 +1,19 @@
 //! SDL: `julia_fractal { <-0.08, 0, -0.83, -0.025> quaternion sqr max_iteration 8 precision 20 slice <0,0,0,1>, 0 }`.
 //!
 //! A point of the slice is inside if h -> f(h) + p, begun at it, stays near the origin `max_iteration` times: within
-//! 1 + |p| for quaternions, 4 for hypercomplex numbers. A ray is followed in steps of 1 / `precision`, or wider ones far outside; where inside and
-//! outside change, the place is found by halving. What is thinner than a step may be missed, as in POV-Ray.
+//! 1 + |p| for quaternions, 4 for hypercomplex numbers. A ray is followed in steps of 1 / `precision`, or wider ones far
+//! outside; where inside and outside change, the place is found by halving. What is thinner than a step may be missed, as in POV-Ray.
 
 use super::hypercomplex::{Function, Number};
 use super::{Crossing, Primitive};
 use crate::accel::Counters;
 use crate::graph::shapes::{Algebra, JuliaFractal as Description};
-use crate::math::polynomial::quadratic;
 use crate::math::{vec3, Bounds, Ray, Vec3};
 
 /// Nearer than this to the start nothing is seen.
-const FINE: f64 = 1e-8;
-/// How often the step in which something changed is halved.
-const HALVINGS: usize = 26;
+const FINE: f64 = 1e-7;
+/// So many steps are taken at once by hypercomplex functions, at most.
+const WIDEST: f64 = 30.0;
 /// A ray makes so many steps for a unit of length at most.
 const MOST_STEPS: f64 = 1e5;
 
@@ -24,7 +23,7 @@ pub struct JuliaFractal {
     parameter: Number,
     algebra: Algebra,
     function: Function,
-    rounds: i32,
+    rounds: usize,
     /// How far a ray goes at a time.
     step: f64,
     /// The fourth coordinate of the slice's points: a constant and its change with x, y, z.
@@ -57,15 +56,26 @@ impl JuliaFractal {
             parameter,
             algebra: fractal.algebra,
             function,
-            rounds: fractal.max_iteration.max(1),
+            rounds: fractal.max_iteration.max(1) as usize,
             step: 1.0 / fractal.precision.clamp(1.0, MOST_STEPS),
             fourth: (fractal.slice_distance / d, vec3(a, b, c) * (-1.0 / d)),
             radius,
         })
     }
 
-    fn start(&self, p: Vec3) -> Number {
+    /// The number that a point of the slice is.
+    fn number(&self, p: Vec3) -> Number {
         Number([p.x, p.y, p.z, self.fourth.0 + self.fourth.1.dot(p)])
+    }
+
+    /// The number that is asked whether a point is inside: POV-Ray has y for z in it, but in `sqr` and `reciprocal`.
+    fn asked(&self, p: Vec3) -> Number {
+        let mut number = self.number(p);
+        let well = matches!(self.function, Function::Sqr | Function::Reciprocal);
+        if self.algebra == Algebra::Hypercomplex && !well {
+            number.0[2] = p.y;
+        }
+        number
     }
 
     fn escaped(&self, h: Number) -> bool {
@@ -82,36 +92,39 @@ impl JuliaFractal {
         image.plus(self.parameter)
     }
 
-    fn stays(&self, p: Vec3) -> bool {
-        let mut h = self.start(p);
-        for _ in 1..self.rounds {
+    /// Whether the numbers that follow one stay near the origin; `path` gets them, up to the first that does not.
+    fn stays(&self, mut h: Number, path: &mut Path) -> bool {
+        for round in 0..self.rounds {
+            path.write(round, h);
             if self.escaped(h) {
                 return false;
             }
             h = self.next(h);
         }
-        !self.escaped(h)
+        path.write(self.rounds, h);
+        true
     }
 
     /// Whether a point is inside, and how far to go from there: a step, or more outside. For quaternions |h| ln |h| / |h'|
     /// tells how far the surface is (here the derivative takes one more round, for caution); for hypercomplex numbers
-    /// |h|² is followed down along the ray, as in POV-Ray. `path` is room for the h before.
-    fn stride(&self, p: Vec3, direction: Vec3, path: &mut Vec<Number>) -> (bool, f64) {
-        path.clear();
-        let mut h = self.start(p);
-        while !self.escaped(h) {
-            if path.len() + 1 >= self.rounds as usize {
-                return (true, self.step);
-            }
-            path.push(h);
-            h = self.next(h);
+    /// |h|² is followed down along the ray, as in POV-Ray.
+    fn stride(&self, p: Vec3, direction: Vec3, path: &mut Path) -> (bool, f64) {
+        if self.stays(self.number(p), path) {
+            return (true, self.step);
         }
+        let h = path.numbers[path.last];
         let stride = match self.algebra {
             Algebra::Quaternion => {
-                let growth: f64 = path.iter().map(|&at| self.stretch(at)).product();
-                (h.norm() / (growth * self.stretch(h))).sqrt() * h.norm().ln()
+                let growth: f64 = path.numbers[..=path.last].iter().map(|&at| self.stretch(at)).product();
+                (h.norm() / growth).sqrt() * h.norm().ln()
             }
-            Algebra::Hypercomplex => h.norm() / (-2.0 * self.gradient(h, path).dot(direction)),
+            Algebra::Hypercomplex if self.function == Function::Sqr => {
+                h.norm() / (-2.0 * self.gradient(path, path.last).dot(direction))
+            }
+            // The slope is a guess there, so that a wide stride is not believed.
+            Algebra::Hypercomplex => Some(h.norm() / -self.gradient(path, path.last).dot(direction))
+                .filter(|&stride| stride <= WIDEST * self.step)
+                .unwrap_or(0.0),
         };
         (false, stride.max(self.step))
     }
@@ -126,17 +139,40 @@ impl JuliaFractal {
         }
     }
 
-    /// The gradient of |h|² / 2 in x, y, z, for the h that follows `path`.
-    fn gradient(&self, h: Number, path: &[Number]) -> Vec3 {
-        let mut slope = h;
-        for &at in path.iter().rev() {
+    /// The gradient of |h|² / 2 in x, y, z after some rounds; as POV-Ray has it for hypercomplex functions, where the
+    /// first round counts as that of `sqr`.
+    fn gradient(&self, path: &Path, rounds: usize) -> Vec3 {
+        let mut slope = path.numbers[rounds];
+        for (round, &at) in path.numbers[..rounds].iter().enumerate().rev() {
             slope = match self.algebra {
                 Algebra::Quaternion => self.function.slope_of_quaternion(at, slope),
-                Algebra::Hypercomplex => self.function.slope_of_hypercomplex(at, slope),
+                Algebra::Hypercomplex if round > 0 => self.function.slope_of_hypercomplex(at, slope),
+                Algebra::Hypercomplex => slope,
             };
+        }
+        if self.algebra == Algebra::Hypercomplex {
+            slope = Function::Sqr.slope_of_hypercomplex(path.numbers[0], slope);
         }
         let [x, y, z, w] = slope.0;
         vec3(x, y, z) + self.fourth.1 * w
+    }
+}
+
+/// The numbers that follow one. Behind the last one stand those of an earlier path, and POV-Ray's normals know them.
+#[derive(Default)]
+struct Path {
+    numbers: Vec<Number>,
+    last: usize,
+}
+
+impl Path {
+    fn write(&mut self, round: usize, number: Number) {
+        if round < self.numbers.len() {
+            self.numbers[round] = number;
+        } else {
+            self.numbers.push(number);
+        }
+        self.last = round;
     }
 }
 
@@ -153,73 +189,71 @@ impl Primitive for JuliaFractal {
         _counters: &mut Counters,
         offer: &mut impl FnMut(Crossing, f64) -> f64,
     ) -> f64 {
-        let scale = ray.direction.length();
+        let length = ray.direction.length();
+        // What is one but for rounding is left as it is: near the sphere of radius 4 each bit counts.
+        let scale = if (length - 1.0).abs() < 1e-14 { 1.0 } else { length };
         let unit = Ray { direction: ray.direction / scale, ..*ray };
-        let square = unit.origin.length_squared() - self.radius * self.radius;
-        let span = quadratic(1.0, unit.origin.dot(unit.direction), square);
-        let [enter, leave] = span[..] else { return limit };
-        if leave < FINE {
+        let middle = -unit.origin.dot(unit.direction);
+        let half = (self.radius * self.radius - unit.origin.length_squared() + middle * middle).sqrt();
+        let (enter, leave) = (middle - half, middle + half);
+        if half.is_nan() || leave < FINE {
             return limit;
         }
         let mut t = enter.max(FINE);
-        let mut path = Vec::new();
-        let (mut inside, mut stride) = self.stride(unit.at(t), unit.direction, &mut path);
+        let path = &mut Path::default();
+        let (mut inside, mut stride) = self.stride(unit.at(t), unit.direction, path);
         if inside {
             // Begun on the surface, or within.
             t += 2.0 * FINE;
-            (inside, stride) = self.stride(unit.at(t), unit.direction, &mut path);
+            (inside, stride) = self.stride(unit.at(t), unit.direction, path);
         }
-        let end = leave.min(limit * scale + self.step);
         loop {
-            if t + stride > end || t + stride <= t {
+            // After a hit is taken nothing behind it is wanted.
+            if t + stride > leave || t > limit * scale || t + stride <= t {
                 return limit;
             }
-            let gone = stride;
-            t += gone;
+            let before = t;
+            let mut width = stride;
+            t += stride;
             let now;
-            (now, stride) = self.stride(unit.at(t), unit.direction, &mut path);
+            (now, stride) = self.stride(unit.at(t), unit.direction, path);
             if now == inside {
                 continue;
             }
             // The change lies within the last step.
-            let (mut near, mut far) = (t - gone, t);
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (near + far);
-                if self.stays(unit.at(middle)) == inside {
-                    near = middle;
-                } else {
-                    far = middle;
+            let mut near = before;
+            let mut last = inside;
+            while width > FINE {
+                width *= 0.5;
+                last = self.stays(self.asked(unit.at(near + width)), path);
+                if last == inside {
+                    near += width;
                 }
             }
-            let found = far / scale;
-            if found > from && found <= limit {
-                limit = offer(Crossing::at(found), limit);
+            if !inside {
+                near += width;
             }
-            t = far;
-            (inside, stride) = self.stride(unit.at(t), unit.direction, &mut path);
+            if last != now || !inside {
+                self.stays(self.asked(unit.at(near)), path);
+            }
+            let found = near / scale;
+            if found > from && found <= limit {
+                let normal = self.gradient(path, self.rounds.min(path.numbers.len() - 1));
+                let normal =
+                    Some(normal.normalized()).filter(|normal| normal.is_finite()).unwrap_or(unit.at(near));
+                let crossing = Crossing { u: normal.y.atan2(normal.x), v: normal.z, ..Crossing::at(found) };
+                limit = offer(crossing, limit);
+            }
+            inside = now;
         }
     }
 
     fn inside(&self, p: Vec3) -> bool {
-        p.length_squared() <= self.radius * self.radius && self.stays(p)
+        self.stays(self.asked(p), &mut Path::default())
     }
 
-    /// The slope of |h|² after all rounds.
-    fn normal(&self, p: Vec3, _: &Crossing) -> Vec3 {
-        let mut path = Vec::new();
-        let mut h = self.start(p);
-        for _ in 0..self.rounds {
-            path.push(h);
-            h = self.next(h);
-            if self.escaped(h) {
-                break;
-            }
-        }
-        let normal = self.gradient(h, &path);
-        if normal.is_finite() && normal.length_squared() > 0.0 {
-            normal
-        } else {
-            p
-        }
+    fn normal(&self, _: Vec3, crossing: &Crossing) -> Vec3 {
+        let across = (1.0 - crossing.v * crossing.v).max(0.0).sqrt();
+        vec3(across * crossing.u.cos(), across * crossing.u.sin(), crossing.v)
     }
 }
