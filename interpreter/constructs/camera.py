@@ -82,19 +82,21 @@ def camera(reader: ItemReader, context: Context, sink: Sink) -> Camera:
     if frame.kind == "spherical":
         frame.angle, said.vertical_angle = 360.0, 180.0
     while not reader.at_end:
-        if not (_read_vector(reader, context, frame, said) or _read_other(reader, context, said)):
+        if not (_read_vector(reader, context, frame, said) or _read_other(reader, context, frame, said)):
             unexpected(reader, ACCEPTS)
     return _built(frame, said, sink, context)
 
 
 def moved(camera: Camera, transform: Transform) -> Camera:
     """The camera carried along by a transformation."""
+    functions = camera.user_defined
     return replace(
         camera,
         location=transform.point(camera.location),
         direction=transform.direction(camera.direction),
         right=transform.direction(camera.right),
         up=transform.direction(camera.up),
+        user_defined=functions and replace(functions, transform=functions.transform.then(transform)),
     )
 
 
@@ -149,7 +151,7 @@ def _read_vector(reader: ItemReader, context: Context, frame: Frame, said: _Said
     return True
 
 
-def _read_other(reader: ItemReader, context: Context, said: _Said) -> bool:
+def _read_other(reader: ItemReader, context: Context, frame: Frame, said: _Said) -> bool:
     """Transformations, focal blur, normals and the functions of a user_defined camera."""
     transform = read_transform(reader, context)
     if transform is not None:
@@ -174,6 +176,8 @@ def _read_other(reader: ItemReader, context: Context, said: _Said) -> bool:
     if block is not None and block.name == "bokeh":
         said.blur["bokeh"] = block.value
     elif block is not None and block.name in ("location", "direction"):
+        if frame.kind != "user_defined":
+            reader.refuse("the word user_defined in front of functions")
         old = said.rest.get("user_defined", UserDefinedCamera())
         said.rest["user_defined"] = replace(old, **{block.name: block.value})
     return block is not None
@@ -208,6 +212,9 @@ def _built(frame: Frame, said: _Said, sink: Sink, context: Context) -> Camera:
     blur = _focal_blur(frame, said.blur)
     for word, value in moves:
         frame.act(word, value)
+        if "user_defined" in said.rest:
+            old = said.rest["user_defined"]
+            said.rest["user_defined"] = replace(old, transform=old.transform.then(value))
     built = Camera(frame.kind, frame.location, frame.direction, frame.right, frame.up, focal_blur=blur, **said.rest)
     if frame.angle is not None:
         built = replace(built, angle=frame.angle)
