@@ -100,18 +100,17 @@ def moved(camera: Camera, transform: Transform) -> Camera:
     )
 
 
-def default_camera(context: Context) -> Camera:
-    """The camera of a scene that has none, and what every camera starts from."""
-    default = context.default_camera
-    if isinstance(default, Camera):
-        return default
+def plain_camera(context: Context) -> Camera:
+    """The camera of a scene that has none, whatever its `#default` says."""
     if context.version >= ASPECT_OF_IMAGE:
         return Camera(right=(context.options.width / context.options.height, 0.0, 0.0))
     return Camera()
 
 
 def _start(context: Context) -> Frame:
-    default = default_camera(context)
+    default = context.default_camera
+    if not isinstance(default, Camera):
+        default = plain_camera(context)
     return Frame(location=default.location, direction=default.direction, right=default.right, up=default.up)
 
 
@@ -119,11 +118,13 @@ def _read_kind(reader: ItemReader, frame: Frame, said: _Said) -> None:
     word = reader.word(*KINDS)
     if word is not None:
         frame.kind = KINDS[word]
+        _read_kind(reader, frame, said)
     elif reader.word("cylinder"):
         kind = reader.integer()
         if not 1 <= kind <= len(CYLINDERS):
             reader.refuse("a cylinder camera from 1 to 4")
         frame.kind = CYLINDERS[kind - 1]
+        _read_kind(reader, frame, said)
     else:
         mesh = reader.block("mesh_camera")
         if mesh is not None:
@@ -141,8 +142,18 @@ def _read_vector(reader: ItemReader, context: Context, frame: Frame, said: _Said
             said.bare_angle = True
             return True
         angle = reader.float()
-        if frame.kind in ("perspective", "orthographic") and not 0.0 < angle < 180.0:
-            reader.refuse("an angle between 0 and 180")
+        if frame.kind == "mesh_camera":
+            reader.refuse("no angle: that of a mesh_camera lies in its meshes")
+        if angle < 0.0:
+            reader.refuse("an angle that is not negative")
+        if frame.kind in ("perspective", "orthographic"):
+            if angle >= 180.0:
+                reader.refuse("an angle below 180 degrees")
+            if angle == 0.0:
+                # The same as none, which takes back one before it.
+                said.steps = [step for step in said.steps if step[0] != "angle"]
+                said.bare_angle = True
+                return True
         if frame.kind == "spherical":
             said.vertical_angle = reader.float() if reader.is_number() else angle / 2.0
         said.steps.append((word, angle))

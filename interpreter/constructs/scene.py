@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final
 
-from minipov.interpreter.constructs.camera import default_camera
+from minipov.interpreter.constructs.camera import plain_camera
 from minipov.interpreter.constructs.gamma import GAMMA_VERSION, working_gamma
 from minipov.interpreter.context import Context
 from minipov.tracer.scene import Scene
@@ -24,7 +24,7 @@ def finished(context: Context) -> Scene:
     return Scene(
         tuple(found.objects),
         tuple(found.lights),
-        found.camera or default_camera(context),
+        found.camera or plain_camera(context),
         _background(context),
         tuple(found.fogs),
         tuple(found.rainbows),

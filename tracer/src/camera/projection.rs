@@ -57,13 +57,15 @@ impl Projection {
         let [horizontal, vertical] = self.angle;
         match self.kind {
             CameraKind::Fisheye => {
-                let (x, y) = (2.0 * u * width, 2.0 * v * height);
-                let radius = x.hypot(y);
-                let turn = if radius > 0.0 { (y / radius).asin() } else { 0.0 };
-                [if x < 0.0 { PI - turn } else { turn }, radius * horizontal / 2.0]
+                let [turn, radius] = polar(2.0 * u * width, 2.0 * v * height);
+                [turn, radius * horizontal / 2.0]
             }
             CameraKind::UltraWideAngle => [u * horizontal, v * horizontal * height / width],
-            CameraKind::Omnimax => self.omnimax_place(u, v),
+            CameraKind::Omnimax => {
+                let [x, y] = self.omnimax_place(u, v);
+                let [turn, radius] = polar(x, y);
+                [turn, omnimax_lens(radius)]
+            }
             CameraKind::Panoramic => [PI * (0.5 - u), PI * v],
             CameraKind::Spherical => [u * horizontal, v * vertical],
             CameraKind::Cylinder1 | CameraKind::Cylinder3 => [u * horizontal, v * height],
@@ -84,16 +86,12 @@ impl Projection {
             }
             CameraKind::Orthographic => from(self.location + self.right * u + self.up * v, self.direction),
             CameraKind::Fisheye => {
-                self.dome(2.0 * u * width, 2.0 * v * height, |radius| radius * horizontal / 2.0)
+                self.dome(2.0 * u * width, 2.0 * v * height, |radius| radius * horizontal / 2.0, |_, _| true)
             }
             CameraKind::Omnimax => {
                 let [x, y] = self.omnimax_place(u, v);
-                // The lens of the dome's projector.
-                let lens = |r: f64| 1.411269 * r - 0.09439 * r.powi(3) + 0.25674 * r.powi(5);
-                self.dome(x, y, lens).filter(|ray| {
-                    // The dome ends at a plane tilted 45 degrees.
-                    ray.direction.dot(self.frame[1]) >= -ray.direction.dot(self.frame[2])
-                })
+                // The dome ends at a plane tilted 45 degrees.
+                self.dome(x, y, omnimax_lens, |up, ahead| up >= -ahead)
             }
             CameraKind::UltraWideAngle => {
                 let (x, y) = (u * horizontal, v * horizontal * height / width);
@@ -137,14 +135,34 @@ impl Projection {
         self.frame[0] * right + self.frame[1] * up + self.frame[2] * ahead
     }
 
-    /// A round picture: the distance from its centre gives the angle from the axis.
-    fn dome(&self, x: f64, y: f64, angle: impl Fn(f64) -> f64) -> Option<Ray> {
+    /// A round picture: the distance from its centre gives the angle from the axis. Rays that go upwards and ahead by
+    /// shares that are not `shown` are left out.
+    fn dome(
+        &self,
+        x: f64,
+        y: f64,
+        angle: impl Fn(f64) -> f64,
+        shown: impl Fn(f64, f64) -> bool,
+    ) -> Option<Ray> {
         let radius = x.hypot(y);
         if radius > 1.0 {
             return None;
         }
         let (sin, cos) = angle(radius).sin_cos();
         let across = if radius > 0.0 { sin / radius } else { 0.0 };
-        Some(Ray { origin: self.location, direction: self.towards(x * across, y * across, cos) })
+        let ray = || Ray { origin: self.location, direction: self.towards(x * across, y * across, cos) };
+        shown(y * across, cos).then(ray)
     }
+}
+
+/// The angle from the axis that the lens of an omnimax projector shows at a distance from the middle.
+fn omnimax_lens(radius: f64) -> f64 {
+    1.411269 * radius - 0.09439 * radius.powi(3) + 0.25674 * radius.powi(5)
+}
+
+/// The direction of a point from the middle, from -90 to 270 degrees, and its distance.
+fn polar(x: f64, y: f64) -> [f64; 2] {
+    let radius = x.hypot(y);
+    let turn = if radius > 0.0 { (y / radius).asin() } else { 0.0 };
+    [if x < 0.0 { PI - turn } else { turn }, radius]
 }
