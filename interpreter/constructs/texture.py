@@ -8,6 +8,7 @@ from typing import Final
 
 from minipov.interpreter.constructs.common import unexpected
 from minipov.interpreter.constructs.finish import read_finish
+from minipov.interpreter.constructs.layering import laid_over, layers
 from minipov.interpreter.constructs.maps import read_entries
 from minipov.interpreter.constructs.normal import SMOOTH, read_normal
 from minipov.interpreter.constructs.pattern_modifiers import (
@@ -57,12 +58,7 @@ def layered(below: Texture | None, above: Texture, reader: ItemReader) -> Textur
         reader.refuse("no layer over a patterned texture", "only plain textures can be layers")
     if not isinstance(above, PlainTexture | LayeredTexture):
         reader.refuse("no patterned texture as a layer over another", "only plain textures can be layers")
-    return LayeredTexture((*layers(below), *layers(above)))
-
-
-def layers(texture: PlainTexture | LayeredTexture) -> tuple[PlainTexture, ...]:
-    """The plain textures that it consists of, the lowest first."""
-    return texture.layers if isinstance(texture, LayeredTexture) else (texture,)
+    return laid_over(below, above)
 
 
 def default_texture(context: Context) -> PlainTexture:

@@ -6,9 +6,11 @@ Most are one item. A colour may be several (``rgb 1 transmit 0.5``), and texture
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import reduce
 from typing import Any
 
 from minipov.interpreter.colors import COLOR_WORDS
+from minipov.interpreter.constructs.layering import laid_over
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import SEMICOLON, Item, Word, complete
 from minipov.interpreter.reader import ItemReader, describe
@@ -47,12 +49,6 @@ def layered(textures: Sequence[Texture]) -> Texture:
     """Textures in a row as one, the lowest first."""
     if len(textures) == 1:
         return textures[0]
-    layers: list[PlainTexture] = []
-    for texture in textures:
-        if isinstance(texture, LayeredTexture):
-            layers += texture.layers
-        elif isinstance(texture, PlainTexture):
-            layers.append(texture)
-        else:
-            raise SdlError("a patterned texture cannot be a layer of another")
-    return LayeredTexture(tuple(layers))
+    if not all(isinstance(texture, PlainTexture | LayeredTexture) for texture in textures):
+        raise SdlError("a patterned texture cannot be a layer of another")
+    return reduce(laid_over, textures)

@@ -5,8 +5,6 @@ use crate::color::Rgbft;
 /// What a scene's version says about layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layering {
-    /// Before 3.5: besides, lower layers are seen through `filter` as through `transmit`.
-    Plain,
     /// Before 3.7: `filter` takes from a layer's own light by the pigment's brightest channel only.
     Brightest,
     /// Since 3.7: a layer's own light is what neither filter nor transmit lets pass.
@@ -16,10 +14,10 @@ pub enum Layering {
 impl Layering {
     /// The law of a version.
     pub fn of_version(version: f64) -> Layering {
-        match version {
-            v if v < 3.5 => Layering::Plain,
-            v if v < 3.7 => Layering::Brightest,
-            _ => Layering::Opacity,
+        if version < 3.7 {
+            Layering::Brightest
+        } else {
+            Layering::Opacity
         }
     }
 
@@ -28,16 +26,7 @@ impl Layering {
     pub fn opacity(self, color: &Rgbft) -> f64 {
         match self {
             Layering::Opacity => color.opacity(),
-            _ => 1.0 - color.filter * color.rgb.max_element() - color.transmit,
+            Layering::Brightest => 1.0 - color.filter * color.rgb.max_element() - color.transmit,
         }
-    }
-
-    /// The colour of a layer as it counts.
-    #[inline]
-    pub fn seen(self, color: Rgbft, is_lowest: bool) -> Rgbft {
-        if self == Layering::Plain && !is_lowest {
-            return Rgbft { filter: 0.0, transmit: color.filter + color.transmit, ..color };
-        }
-        color
     }
 }

@@ -113,7 +113,6 @@ impl Tracer<'_> {
                 top_normal = normal;
             }
             let color = layer.color(spot, frame, normal);
-            let color = scene.layering.seen(color, number + 1 == layers.len());
             let opacity = scene.layering.opacity(&color);
             let mut own = color.rgb.mul_each(finish.ambient + finish.emission) * opacity;
             if finish.lit {
