@@ -257,6 +257,13 @@ def interrupted(scene: str, folder: Path, *words: str, after: bytes, times: int 
         return program.returncode, time.monotonic() - pressed, errors
 
 
+def test_ctrl_c_in_a_long_sum_while_parsing(tmp_path: Path) -> None:
+    function = "#declare F = function (n) { sum(i, 0, n, sin(i)*cos(i)) }"
+    (tmp_path / "long.pov").write_text(f'#debug "begun\\n"\n{function}\n#declare A = F(9e8);')
+    status, seconds, _ = interrupted("long.pov", tmp_path, after=rb"begun\n")
+    assert (status, seconds < 5) == (INTERRUPTED, True)
+
+
 def test_ctrl_c_while_parsing(tmp_path: Path) -> None:
     (tmp_path / "endless.pov").write_text('#debug "begun\\n"\n#while (1) #declare A = 1; #end')
     tries = [interrupted("endless.pov", tmp_path, after=rb"begun\n") for _ in range(3)]

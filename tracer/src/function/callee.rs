@@ -31,6 +31,11 @@ fn point(arguments: &[f64]) -> Vec3 {
 }
 
 impl Callee {
+    /// Whether a call may take long: a loop says how often it runs.
+    pub fn loops(&self) -> bool {
+        matches!(self, Callee::Program(program) if program.loops())
+    }
+
     /// The value, or its first component.
     #[inline]
     pub fn value(&self, arguments: &[f64]) -> f64 {

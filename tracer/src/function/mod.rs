@@ -36,6 +36,11 @@ impl Function {
         self.size
     }
 
+    /// Whether a call may take long.
+    pub fn loops(&self) -> bool {
+        self.callee.loops()
+    }
+
     /// The value; components that it has not are 0. Missing arguments are 0.
     pub fn components(&self, arguments: &[f64]) -> [f64; 5] {
         self.callee.components(arguments)

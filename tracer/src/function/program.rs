@@ -109,6 +109,12 @@ pub struct Program {
 pub(super) const SIZES: [usize; 4] = [16, 64, 512, 1 << 16];
 
 impl Program {
+    /// Whether there are loops in it, or in what it calls: `sum`, `prod`.
+    pub fn loops(&self) -> bool {
+        let own = self.steps.iter().any(|step| matches!(step, Step::Loop { .. }));
+        own || self.sites.iter().any(|site| site.callee.loops())
+    }
+
     /// The value for these arguments; missing ones are 0.
     #[inline]
     pub fn value(&self, arguments: &[f64]) -> f64 {

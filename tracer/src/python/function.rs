@@ -12,7 +12,11 @@ use crate::texture::Builder;
 
 /// A function made ready to be called; keep it where the same function is called often.
 #[pyclass(frozen)]
-pub struct Function(function::Function);
+pub struct Function {
+    function: function::Function,
+    /// Whether Python's other threads go on meanwhile, so that Ctrl-C is heard.
+    detached: bool,
+}
 
 #[pymethods]
 impl Function {
@@ -24,7 +28,7 @@ impl Function {
         let made = builder.function(&Shared::new(node));
         unsupported.append(&mut builder.unsupported);
         match (made, unsupported.first()) {
-            (Some(made), None) => Ok(Function(made)),
+            (Some(function), None) => Ok(Function { detached: function.loops(), function }),
             (_, missing) => {
                 let what = missing.map_or("this", |missing| &missing.feature);
                 Err(PyValueError::new_err(format!("{what} cannot be called yet")))
@@ -41,23 +45,26 @@ impl Function {
             *value = argument.extract()?;
         }
         let given = &given[..count];
-        if self.0.size() == 1 {
-            return Ok(self.0.value(given).into_pyobject(py)?.into_any());
+        let function = &self.function;
+        if function.size() == 1 {
+            let value =
+                if self.detached { py.detach(|| function.value(given)) } else { function.value(given) };
+            return Ok(value.into_pyobject(py)?.into_any());
         }
-        let components = self.0.components(given);
-        Ok(PyTuple::new(py, &components[..self.0.size()])?.into_any())
+        let components = function.components(given);
+        Ok(PyTuple::new(py, &components[..function.size()])?.into_any())
     }
 
     /// The values on a grid of the unit square, row 0 at y = 0: each a list of its components.
     fn unit_square(&self, py: Python<'_>, width: usize, height: usize) -> Vec<f64> {
         py.detach(|| {
-            let size = self.0.size();
+            let size = self.function.size();
             let place = |i: usize, count: usize| i as f64 / (count.max(2) - 1) as f64;
             let mut values = Vec::with_capacity(width * height * size);
             for row in 0..height {
                 for column in 0..width {
                     let point = [place(column, width), place(row, height), 0.0];
-                    values.extend_from_slice(&self.0.components(&point)[..size]);
+                    values.extend_from_slice(&self.function.components(&point)[..size]);
                 }
             }
             values
