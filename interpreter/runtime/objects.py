@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from minipov.interpreter.arrays import Array
@@ -9,12 +10,18 @@ from minipov.interpreter.constructs.csg import has_inside
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.runtime.signature import builtin
 from minipov.interpreter.values import Vector, kind_of, vector3
-from minipov.tracer.objects import Object
+from minipov.tracer.objects import Intersection, Merge, Object, Union
 from minipov.tracer.pattern import ImageMap
 from minipov.tracer.pigment import Pigment
+from minipov.tracer.transform import IDENTITY
+from minipov.tracer.values import Vec3
 
 _asked: dict[int, tuple[Object, Any]] = {}
+_at_rest: dict[int, tuple[Object, Object]] = {}
 _MOST_KEPT = 16
+_COMPOSITE = (Union, Merge, Intersection)
+_INFINITE = 1e10
+"""What the core gives as the size of what has no end."""
 
 
 def _question(value: Any) -> Any:
@@ -77,7 +84,31 @@ def _extent(thing: Any, corner: int) -> Vector:
     if isinstance(thing, Pigment) and isinstance(thing.pattern, ImageMap):
         height, width = thing.pattern.mapping.image.color.shape[:2]
         return Vector((float(width), float(height), 0.0)) if corner else Vector((0.0, 0.0, 0.0))
-    return Vector(_question(thing).extents()[corner])
+    return Vector(_box(thing)[corner])
+
+
+def _box(thing: Any) -> tuple[Vec3, Vec3]:
+    """The bounding box. That of a composite object is moved with it, as in POV-Ray, so it may grow by a rotation."""
+    modifiers = thing.modifiers if isinstance(thing, Object) else None
+    if modifiers is None or modifiers.clipped_by or modifiers.bounded_by or not isinstance(thing.shape, _COMPOSITE):
+        box: tuple[Vec3, Vec3] = _question(thing).extents()
+        return box
+    at = thing.transform
+    low, high = _question(thing if at is IDENTITY else _resting(thing)).extents()
+    if at is IDENTITY or max(*map(abs, low), *map(abs, high)) >= _INFINITE:
+        return low, high
+    corners = [at.point((x, y, z)) for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])]
+    (a, b, c), (d, e, f) = (tuple(map(pick, zip(*corners, strict=True))) for pick in (min, max))
+    return (a, b, c), (d, e, f)
+
+
+def _resting(thing: Object) -> Object:
+    """The object where its parts are, the same at each call."""
+    known = _at_rest.get(id(thing))
+    if known is None or known[0] is not thing:
+        _at_rest.clear()
+        known = _at_rest[id(thing)] = (thing, replace(thing, transform=IDENTITY))
+    return known[1]
 
 
 @builtin("min_extent", 1)

@@ -14,11 +14,12 @@ pub fn of_primitive(shape: &Shape, place: Option<&Transform>, inverse: bool) -> 
         (_, Some(place)) => bounds.transformed(place),
         (_, None) => bounds,
     };
-    let (surface, inside) = (placed(shape.bounds()), placed(shape.solid_bounds()));
+    let surface = placed(shape.bounds());
+    let (inside, outside) = (placed(shape.solid_bounds()), placed(shape.hollow_bounds()));
     let (solid, hollow) = match (shape.solid(), inverse) {
         (false, _) => (Bounds::EMPTY, Bounds::INFINITE),
-        (true, false) => (inside, Bounds::INFINITE),
-        (true, true) => (Bounds::INFINITE, inside),
+        (true, false) => (inside, outside),
+        (true, true) => (outside, inside),
     };
     Extent { surface, solid, hollow }
 }

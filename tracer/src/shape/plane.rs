@@ -40,6 +40,10 @@ impl Primitive for Plane {
         bounds
     }
 
+    fn hollow_bounds(&self) -> Bounds {
+        Plane { normal: -self.normal, distance: -self.distance }.solid_bounds()
+    }
+
     #[inline]
     fn intersect(
         &self,
