@@ -196,14 +196,20 @@ def _read_other(reader: ItemReader, context: Context, frame: Frame, said: _Said)
 
 MOST_BLUR_SAMPLES: Final = 10_000
 MOST_RAYS: Final = 10_000
+UNFOCUSED: Final = 1.0
+"""At which distance things are sharp if the scene does not say it, whatever the length of ``direction`` (measured)."""
 
 
 def _blur_samples(reader: ItemReader) -> tuple[int, int]:
     first = reader.count(MOST_BLUR_SAMPLES)
     if not reader.is_number():
+        if first == 0:
+            reader.refuse("at least one sample")
         return (4 if first < 7 else 7, first)
     second = reader.count(MOST_BLUR_SAMPLES)
-    return (min(first, second), max(first, second))
+    if first > second:
+        reader.refuse("a minimum that is not above the maximum")
+    return (first, second)
 
 
 def _built(frame: Frame, said: _Said, sink: Sink, context: Context) -> Camera:
@@ -238,8 +244,8 @@ def _focal_blur(frame: Frame, blur: dict[str, Any]) -> FocalBlur | None:
     if blur.get("aperture", 0.0) == 0.0 or "blur_samples" not in blur:
         return None
     point = frame.focal_point
-    to_focus = frame.direction if point is None else difference(point, frame.location)
-    return FocalBlur(**blur, focal_distance=length(to_focus))
+    distance = 0.0 if point is None else length(difference(point, frame.location))
+    return FocalBlur(**blur, focal_distance=distance or UNFOCUSED)
 
 
 @construct("bokeh", signature="pigment {}", doc="The shape of blurred points: a pigment on the unit square.")

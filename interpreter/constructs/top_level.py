@@ -32,6 +32,8 @@ def instantiate(item: Item, place: Place, context: Context) -> None:
             looks = light.looks_like
             scene.lights.append(replace(light, looks_like=looks and dressed(looks, context)))
         case Camera() as camera:
+            if scene.camera is not None:
+                context.messages.warn("several cameras: the last one counts", place)
             scene.camera = camera
         case Fog() as fog:
             scene.fogs.append(fog)
