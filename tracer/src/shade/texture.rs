@@ -65,7 +65,9 @@ impl Texture {
             Texture::Blocks(blocks) => {
                 let (pattern, textures) = &**blocks;
                 let (number, point) = pattern.block_and_place(frame.point, &spot.context);
-                (Shown::One(textures[number % textures.len()]), frame.warped(&pattern.modifiers, point))
+                // The number just beyond the list means its last (probed); higher ones begin again.
+                let index = if number == textures.len() { number - 1 } else { number % textures.len() };
+                (Shown::One(textures[index]), frame.warped(&pattern.modifiers, point))
             }
             Texture::Average(average) => {
                 let (modifiers, textures) = &**average;
