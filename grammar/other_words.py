@@ -39,6 +39,7 @@ black_hole | warp that pulls points to a centre
 blob | surface of fields that melt together
 blue | blue component
 blur_samples | rays per pixel for focal blur
+bmp | BMP picture
 bokeh | shape and colour of blurred highlights
 bounded_by | simple object around this one, for speed
 box | box between two corners
@@ -379,7 +380,6 @@ WORDS_38: Final = """
 anisotropy | direction preference of subsurface scattering
 blend_gamma | space in which a map mixes colours
 blend_mode | how a map mixes colours
-bmp | BMP picture
 bt2020 bt709 | encoding of a picture's values
 cmap | which character table of a font is used
 dictionary | values by name

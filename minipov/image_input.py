@@ -101,6 +101,7 @@ def _read_palette(path: Path) -> _Stored | None:
             grey = kind == "gif" and picture.mode == "L"
             if not (grey or (picture.mode == "P" and kind in _PALETTE_FORMATS)):
                 return None
+            interlaced = kind == "gif" and _is_interlaced(picture)
             index = np.asarray(picture, np.uint16)
             indexed = picture.convert("P") if grey else picture
             names = indexed.palette.mode if indexed.palette else "RGB"
@@ -109,6 +110,10 @@ def _read_palette(path: Path) -> _Stored | None:
             curve = _png_curve(picture.info)
     except (UnidentifiedImageError, SyntaxError, ValueError):
         return None
+    if interlaced:
+        # POV-Ray shows the rows of an interlaced GIF in the order of the file.
+        passes = ((0, 8), (4, 8), (2, 4), (1, 2))
+        index = index[[row for start, step in passes for row in range(start, len(index), step)]]
     size = max(len(palette), int(index.max(initial=0)) + 1)
     palette = np.pad(palette, ((0, size - len(palette)), (0, 0)))
     if clear is not None:
@@ -119,6 +124,10 @@ def _read_palette(path: Path) -> _Stored | None:
             opacity[int(clear)] = 0.0
         palette = np.hstack([palette, opacity])
     return _Stored(palette[index], kind, 8, curve, index, size)
+
+
+def _is_interlaced(picture: Pillow.Image) -> bool:
+    return any(isinstance(args, tuple) and bool(args[1]) for _, _, _, args in picture.tile)
 
 
 def _png_curve(info: dict[str | tuple[int, int], object]) -> Gamma:

@@ -13,6 +13,7 @@ from minipov.tracer.image import Image, ImagePurpose
 from minipov.tracer.settings import Gamma
 
 EXTENSIONS: Final[dict[str, tuple[str, ...]]] = {
+    "bmp": ("", ".bmp", ".BMP"),
     "exr": ("", ".exr", ".EXR"),
     "gif": ("", ".gif", ".GIF"),
     "hdr": ("", ".hdr", ".HDR"),

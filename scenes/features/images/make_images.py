@@ -1,7 +1,7 @@
 """Make the small test images of the feature scenes: python scenes/features/images/make_images.py.
 
 PNG files are written by hand, because palette images with a transparency chunk are what the scenes test and few
-libraries write them; the other formats go through OpenImageIO.
+libraries write them; GIF files go through Pillow, the other formats through OpenImageIO.
 """
 
 import struct
@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import OpenImageIO as oiio
+from PIL import Image as Pillow
 
 HERE = Path(__file__).parent
 Bytes = np.ndarray[tuple[int, ...], np.dtype[np.uint8]]
@@ -51,6 +52,10 @@ def main() -> None:
     index[5:9, 10:20] = 4
     palette = bytes([230, 220, 190, 200, 60, 40, 40, 120, 190, 60, 150, 70, 30, 20, 60])
     write_png("tiles.png", index, 3, chunk(b"PLTE", palette))
+    tiles = Pillow.fromarray(index, "P")
+    tiles.putpalette(palette)
+    tiles.save(HERE / "tiles.gif", interlace=0)
+    tiles.save(HERE / "tiles_interlaced.gif", interlace=1)
     hills = 0.5 + 0.25 * np.sin(x / 3.0) * np.cos(y / 2.5) + 0.25 * np.sin((x + 2 * y) / 5.0)
     write_png("hills.png", (hills * 255).astype(np.uint8), 0)
     write_png("hills16.png", (hills * 65535).astype(np.uint16), 0)
