@@ -20,8 +20,10 @@ pub struct Media {
     pub sampling: Sampling,
     /// Light of its own per unit of length.
     pub emission: Rgb,
-    /// Light that it throws aside per unit of length, and how.
-    pub scattering: Option<(Rgb, Phase)>,
+    /// Light that it throws aside per unit of length.
+    pub scattering: Rgb,
+    /// Whereto it throws light.
+    pub phase: Phase,
     /// Light that is lost per unit of length: absorbed, or scattered as far as `extinction` says.
     pub extinction: Rgb,
     density: Density,
@@ -60,7 +62,7 @@ enum Density {
 impl Media {
     /// Makes a medium ready that stands in a space of its own.
     pub fn new(media: &graph::Media, space: Option<Arc<Transform>>, patterns: &mut Builder) -> Media {
-        let scattering = media.scattering.as_ref().filter(|s| s.color != Rgb::BLACK);
+        let scattering = media.scattering.as_ref();
         let scattered = scattering.map_or(Rgb::BLACK, |s| s.color * s.extinction);
         let (mut factor, mut varying) = (Rgb::WHITE, Vec::new());
         for density in &media.densities {
@@ -82,7 +84,8 @@ impl Media {
                 jitter: media.jitter,
             },
             emission: media.emission,
-            scattering: scattering.map(|s| (s.color, Phase::new(s.kind, s.eccentricity))),
+            scattering: scattering.map_or(Rgb::BLACK, |s| s.color),
+            phase: scattering.map_or(Phase::Isotropic, |s| Phase::new(s.kind, s.eccentricity)),
             extinction: media.absorption + scattered,
             density: if varying.is_empty() {
                 Density::Constant(factor)

@@ -34,7 +34,6 @@ use crate::accel::{Counters, RayKind};
 use crate::color::Rgb;
 use crate::geometry::{Hit, NodeId};
 use crate::math::Ray;
-use crate::media::Phase;
 use crate::photon::PhotonMap;
 use crate::prepare::Scene;
 use crate::radiosity::Indirect;
@@ -105,8 +104,6 @@ pub struct Tracer<'s> {
     mirrors: Vec<Mirrored>,
     /// Parts of the ways through media that are being sampled.
     stretches: Vec<Stretch>,
-    /// What scatters light at the points of media that are being lit.
-    scatterers: Vec<(Rgb, Phase)>,
     /// Scratch for textures seen together at one point.
     weights: Vec<(Option<u32>, f64)>,
     /// Light thrown by mirrors and lenses, where the scene asks for it.
@@ -133,7 +130,6 @@ impl<'s> Tracer<'s> {
             grid: Vec::new(),
             mirrors: Vec::new(),
             stretches: Vec::new(),
-            scatterers: Vec::new(),
             weights: Vec::new(),
             photons: None,
             indirect: None,

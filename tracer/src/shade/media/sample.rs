@@ -5,7 +5,6 @@ use super::{passing, Influence, Way};
 use crate::color::Rgb;
 use crate::light::Light;
 use crate::math::Vec3;
-use crate::media::Phase;
 use crate::shade::shadow::Place;
 use crate::shade::Tracer;
 
@@ -17,7 +16,7 @@ impl Tracer<'_> {
         let point = way.ray.at(stretch.start + at * stretch.length);
         let mut extinction = Rgb::BLACK;
         let mut light = Rgb::BLACK;
-        let first = self.scatterers.len();
+        let mut scattering = Rgb::BLACK;
         for media in way.matter.media(scene) {
             let density = media.density(point);
             if density == Rgb::BLACK {
@@ -28,13 +27,10 @@ impl Tracer<'_> {
                 continue;
             }
             light += density.mul_each(media.emission);
-            if let Some((color, phase)) = media.scattering.filter(|_| stretch.lit) {
-                self.scatterers.push((density.mul_each(color), phase));
-            }
+            scattering += density.mul_each(media.scattering);
         }
-        if self.scatterers.len() > first {
-            light += self.scattered(way, point, first);
-            self.scatterers.truncate(first);
+        if stretch.lit && scattering != Rgb::BLACK {
+            light += scattering.mul_each(self.thrown(way, point));
         }
         if fading {
             light = light.mul_each(passing(extinction * (at * stretch.length)));
@@ -42,8 +38,9 @@ impl Tracer<'_> {
         Influence { light: light * stretch.length, depth: extinction * stretch.length }
     }
 
-    /// Light of all lamps that the scatterers from `first` on throw towards the eye.
-    fn scattered(&mut self, way: &Way, point: Vec3, first: usize) -> Rgb {
+    /// The share of all lamps' light that matter at a point throws towards the eye. Of several media all throw it by the
+    /// mean of their phase functions, those too that are not at the point or do not scatter (probed).
+    fn thrown(&mut self, way: &Way, point: Vec3) -> Rgb {
         let scene = self.scene;
         let place = Place { point, interiors: way.interiors, collects_photons: false };
         let mut sum = Rgb::BLACK;
@@ -61,8 +58,12 @@ impl Tracer<'_> {
                 continue;
             }
             let cos = way.ray.direction.dot(arrival.direction);
-            let thrown = |sum: Rgb, &(amount, phase): &(Rgb, Phase)| sum + amount * phase.factor(cos);
-            sum += color.mul_each(self.scatterers[first..].iter().fold(Rgb::BLACK, thrown));
+            let (mut phases, mut count) = (0.0, 0);
+            for media in way.matter.media(scene) {
+                phases += media.phase.factor(cos);
+                count += 1;
+            }
+            sum += color * (phases / f64::from(count));
         }
         sum
     }

@@ -1,6 +1,7 @@
 //! SDL: `media { intervals I ratio F }`: a way cut where beams of light begin and end, and then evenly.
 
 use super::Way;
+use crate::color::Rgb;
 use crate::light::Beam;
 use crate::math::Ray;
 use crate::media::Sampling;
@@ -46,7 +47,7 @@ impl Tracer<'_> {
     /// The parts of the way in any lamp's beam, in order, those that overlap as one.
     fn beams(&mut self, way: &Way, distance: f64) -> Vec<(f64, f64)> {
         let scene = self.scene;
-        if way.matter.media(scene).all(|media| media.scattering.is_none()) {
+        if way.matter.media(scene).all(|media| media.scattering == Rgb::BLACK) {
             return Vec::new();
         }
         let mut beams = Vec::new();
