@@ -223,6 +223,7 @@ impl<'a> Preparation<'a> {
             (RayKind::Reflected, looks.no_reflection),
             (RayKind::Shadow, looks.no_shadow),
             (RayKind::Radiosity, looks.no_radiosity),
+            (RayKind::Photon, looks.no_image),
         ];
         let hidden = hidden.iter().fold(0, |bits, &(kind, hide)| bits | u8::from(hide) << kind as usize);
         self.geometry.nodes.push(Node {

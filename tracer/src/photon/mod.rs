@@ -9,5 +9,5 @@ mod settings;
 mod shoot;
 
 pub use map::{Photon, PhotonMap};
-pub use settings::{Allowed, Settings};
+pub use settings::{Allowed, Gathering, Settings};
 pub use shoot::{rings, Aim, Shot};

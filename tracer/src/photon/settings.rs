@@ -11,32 +11,48 @@ pub struct Settings {
     pub spacing: f64,
     /// How many photons are shot in all, instead of `spacing`.
     pub count: Option<usize>,
-    /// The fewest and the most photons that a point gathers.
-    pub gather: [usize; 2],
+    /// How photons on surfaces are gathered, and how those in media.
+    pub gathering: [Gathering; 2],
+    /// In how many steps at most a photon leaves light in media, and how long they are in spacings.
+    pub media: (usize, f64),
     /// By how much of their distance photons are shifted.
     pub jitter: f64,
     /// Longest chain of mirrors and lenses.
     pub max_trace_level: u32,
     /// Fainter photons are not followed.
     pub adc_bailout: f64,
+}
+
+/// `gather I, I radius F, F expand_thresholds F, I`.
+#[derive(Clone, Copy, Debug)]
+pub struct Gathering {
+    /// The fewest and the most photons that a point gathers.
+    pub gather: [usize; 2],
     /// Where photons are gathered from around a point; by their density if not given.
     pub radius: Option<f64>,
-    /// Factor of the radius that follows from density.
+    /// Factor of the radius.
     pub radius_factor: f64,
+    /// By how much light may grow, and how many photons are too few, when light is gathered from farther away.
+    pub expand: (f64, usize),
 }
 
 impl Settings {
     /// Fills in the scene's own limits.
     pub fn new(p: &graph::Photons, scene: &graph::GlobalSettings) -> Settings {
+        let gathering = |radius: Option<f64>, radius_factor| Gathering {
+            gather: [p.gather.0, p.gather.1.max(1)],
+            radius: radius.filter(|&r| r > 0.0),
+            radius_factor,
+            expand: p.expand_thresholds,
+        };
         Settings {
             spacing: p.spacing.unwrap_or(1.0),
             count: p.count,
-            gather: [p.gather.0, p.gather.1.max(1)],
+            gathering: [gathering(p.radius.0, p.radius.1), gathering(p.radius.2, p.radius.3)],
+            media: p.media,
             jitter: p.jitter,
             max_trace_level: p.max_trace_level.unwrap_or(scene.max_trace_level),
             adc_bailout: p.adc_bailout.unwrap_or(scene.adc_bailout),
-            radius: p.radius.0.filter(|&r| r > 0.0),
-            radius_factor: p.radius.1,
         }
     }
 }

@@ -34,7 +34,7 @@ impl Job {
                 fallen
             })
             .collect();
-        PhotonMap::new(fallen.concat(), settings.gather, settings.radius, settings.radius_factor)
+        PhotonMap::new(fallen.concat(), &settings.gathering[0])
     }
 
     /// Each light with each target that does something to its photons.

@@ -4,7 +4,6 @@ use super::layers::Spot;
 use super::{Finish, Tracer};
 use crate::color::{rgb, Rgb};
 use crate::graph::finish::Iridescence;
-use crate::light::Light;
 use crate::math::Vec3;
 use crate::noise::Octaves;
 
@@ -47,7 +46,8 @@ impl Tracer<'_> {
             }
             let lobes = |tracer: &mut Self, towards| match side(towards) {
                 Some(behind) => {
-                    tracer.one_lamp(spot, finish, light, normal, towards, color, pigment, opacity, behind)
+                    let shines = !light.shadowless && !behind;
+                    tracer.one_lamp(spot, finish, shines, normal, towards, color, pigment, opacity, behind)
                 }
                 None => Rgb::BLACK,
             };
@@ -64,13 +64,13 @@ impl Tracer<'_> {
         sum
     }
 
-    /// Light of one lamp, already shadowed.
+    /// Light of one lamp, already shadowed; with highlights if it `shines`.
     #[allow(clippy::too_many_arguments)] // everything that a lobe depends on
-    fn one_lamp(
+    pub(super) fn one_lamp(
         &mut self,
         spot: &Spot,
         finish: &Finish,
-        light: &Light,
+        shines: bool,
         normal: Vec3,
         towards: Vec3,
         color: Rgb,
@@ -89,7 +89,7 @@ impl Tracer<'_> {
             }
             sum += pigment.mul_each(color) * strength;
         }
-        if !light.shadowless && !backside {
+        if shines {
             sum += finish.highlights(spot.path.ray.direction, towards, normal, color, pigment);
         }
         if let Some(film) = &finish.irid {

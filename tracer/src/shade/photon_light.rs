@@ -9,9 +9,9 @@ use crate::math::Vec3;
 use crate::photon::Allowed;
 
 impl Tracer<'_> {
-    /// Light of the photons around a point, scattered and as highlights.
+    /// Light of the photons around a point, each as that of a lamp.
     pub(super) fn photon_light(
-        &self,
+        &mut self,
         spot: &Spot,
         finish: &Finish,
         normal: Vec3,
@@ -22,16 +22,16 @@ impl Tracer<'_> {
             return Rgb::BLACK;
         };
         let mut sum = Rgb::BLACK;
-        let area = map.gather(spot.point, spot.normal, |photon| {
+        let square = map.gather(spot.point, Some(normal), |photon| {
             let towards = -photon.direction;
-            let scattered = pigment.mul_each(photon.flux) * (finish.diffuse[0] * opacity);
-            sum += scattered;
-            let cos = normal.dot(towards);
+            let cos = towards.dot(spot.normal);
             if cos > 0.0 {
-                sum += finish.highlights(spot.path.ray.direction, towards, normal, photon.flux, pigment);
+                // A photon brings what falls on the surface, a lamp what goes through a plane across its rays.
+                let color = photon.flux * cos.recip();
+                sum += self.one_lamp(spot, finish, true, normal, towards, color, pigment, opacity, false);
             }
         });
-        sum * area.recip()
+        sum * (std::f64::consts::PI * square).recip()
     }
 
     /// Whether photons of a light stand for what goes through an object, so that its shadow is dark on a surface that
