@@ -26,6 +26,8 @@ pub struct Media {
     pub phase: Phase,
     /// Light that is lost per unit of length: absorbed, or scattered as far as `extinction` says.
     pub extinction: Rgb,
+    /// Whether photons light it up.
+    pub collect: bool,
     density: Density,
 }
 
@@ -87,6 +89,7 @@ impl Media {
             scattering: scattering.map_or(Rgb::BLACK, |s| s.color),
             phase: scattering.map_or(Phase::Isotropic, |s| Phase::new(s.kind, s.eccentricity)),
             extinction: media.absorption + scattered,
+            collect: media.collect,
             density: if varying.is_empty() {
                 Density::Constant(factor)
             } else {

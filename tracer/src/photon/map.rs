@@ -2,24 +2,54 @@
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use std::f64::consts::PI;
 
 use super::settings::Gathering;
 use crate::color::Rgb;
-use crate::math::Vec3;
+use crate::math::{vec3, Vec3};
 
-/// Light that fell on a surface.
+/// Light that fell on a surface, or came through a medium.
 #[derive(Clone, Copy, Debug)]
 pub struct Photon {
     /// Where.
     pub point: Vec3,
-    /// Where it was going, of length one.
+    /// Where it was going, of length one and coarse.
     pub direction: Vec3,
     /// What it brought: light times area.
     pub flux: Rgb,
 }
 
-/// All photons on surfaces.
-#[derive(Debug, Default)]
+/// The angles of a photon's direction are known in so many steps from 0 to pi (probed).
+const STEPS: f64 = 127.0;
+
+impl Photon {
+    /// A photon; its direction becomes coarse, as POV-Ray keeps it: of light that only grazes a surface nothing is left.
+    pub fn new(point: Vec3, direction: Vec3, flux: Rgb) -> Photon {
+        let coarse = |angle: f64| (angle * STEPS / PI).trunc() * PI / STEPS;
+        let (sin, cos) = coarse(direction.y.clamp(-1.0, 1.0).asin()).sin_cos();
+        let (across, along) = coarse(direction.z.atan2(direction.x)).sin_cos();
+        Photon { point, direction: vec3(cos * along, sin, cos * across), flux }
+    }
+}
+
+/// Where all photons fell.
+#[derive(Debug)]
+pub struct PhotonMaps {
+    /// Those on surfaces.
+    pub surfaces: PhotonMap,
+    /// Those in media; what they brought is light times area times the length of the way that they stand for.
+    pub media: PhotonMap,
+}
+
+impl PhotonMaps {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.surfaces.photons.is_empty() && self.media.photons.is_empty()
+    }
+}
+
+/// Photons by place.
+#[derive(Debug)]
 pub struct PhotonMap {
     /// A kd-tree: the middle photon of each range splits it along the axis of the node.
     photons: Vec<Photon>,
@@ -93,11 +123,6 @@ impl PhotonMap {
         map
     }
 
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.photons.is_empty()
-    }
-
     fn split(&mut self, low: usize, high: usize) {
         if high - low < 2 {
             return;
@@ -168,6 +193,9 @@ impl PhotonMap {
     /// distance within which they lie. Where there are few they are looked for farther away, unless that makes it
     /// much lighter.
     pub fn gather(&self, point: Vec3, normal: Option<Vec3>, mut visit: impl FnMut(&Photon)) -> f64 {
+        if self.photons.is_empty() {
+            return 1.0;
+        }
         let mut found = self.nearest(point, normal, self.radius);
         if found.near.len() < self.gather[0] {
             let wider = self.nearest(point, normal, self.radius * EXPANSION);
@@ -194,9 +222,8 @@ mod tests {
     #[test]
     fn the_nearest_are_found() {
         let mut random = Random::new(5);
-        let photons: Vec<_> = (0..500)
-            .map(|_| Photon { point: random.vector(3.0), direction: -Vec3::Y, flux: Rgb::WHITE })
-            .collect();
+        let photons: Vec<_> =
+            (0..500).map(|_| Photon::new(random.vector(3.0), -Vec3::Y, Rgb::WHITE)).collect();
         let gathering =
             Gathering { gather: [5, 20], radius: Some(1.5), radius_factor: 1.0, expand: (0.2, 35) };
         let map = PhotonMap::new(photons.clone(), &gathering);

@@ -136,6 +136,11 @@ impl Scene {
         self.geometry.bodies[id as usize].interior.map_or(&[], |interior| &self.media[interior as usize])
     }
 
+    /// Whether any medium of the bodies around collects photons.
+    pub fn collects_in_media(&self, around: &Interiors) -> bool {
+        around.iter().flat_map(|body| self.media_of(body)).any(|media| media.collect)
+    }
+
     /// Whether the atmosphere's media and fogs dim a lamp's light.
     pub fn air_dims(&self, light: &Light) -> bool {
         light.media_attenuation

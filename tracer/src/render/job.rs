@@ -13,7 +13,7 @@ use crate::camera::Size;
 use crate::function::patience;
 use crate::graph::settings::RenderSettings;
 use crate::graph::STACK_BYTES;
-use crate::photon::PhotonMap;
+use crate::photon::PhotonMaps;
 use crate::prepare::Scene;
 use crate::radiosity::{Cache, Indirect, Settings};
 use crate::shade::Tracer;
@@ -100,7 +100,7 @@ impl Job {
         self.counters.lock().expect("merging does not panic").merge(&counted);
     }
 
-    fn render_tiles(&self, photons: Option<&PhotonMap>, gathered: Option<(&Settings, &Cache)>) {
+    fn render_tiles(&self, photons: Option<&PhotonMaps>, gathered: Option<(&Settings, &Cache)>) {
         let size = Size { width: self.settings.width, height: self.settings.height };
         self.tiles.par_iter().with_max_len(1).for_each_init(
             || self.tracer(),

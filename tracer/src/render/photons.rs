@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::{Job, Random};
-use crate::photon::{rings, Aim, Allowed, Photon, PhotonMap, Settings};
+use crate::photon::{rings, Aim, Allowed, Photon, PhotonMap, PhotonMaps, Settings};
 use crate::shade::Interiors;
 
 /// More photons than this are not shot: they would fill the memory of any machine.
@@ -12,29 +12,33 @@ const MOST_PHOTONS: f64 = 2e7;
 impl Job {
     /// Shoots all photons. Each ring has random numbers of its own, and rings are joined in order, so the map does not
     /// depend on threads.
-    pub(super) fn shoot_photons(&self, settings: &Settings) -> PhotonMap {
+    pub(super) fn shoot_photons(&self, settings: &Settings) -> PhotonMaps {
         let aims = self.aims(settings);
         let shots: Vec<(&Aim, usize)> =
             aims.iter().flat_map(|aim| (0..rings(aim)).map(move |ring| (aim, ring))).collect();
-        let fallen: Vec<Vec<Photon>> = shots
+        let (fallen, floating): (Vec<Vec<Photon>>, Vec<Vec<Photon>>) = shots
             .par_iter()
             .with_max_len(1)
             .map(|&(aim, ring)| {
                 let mut tracer = self.tracer();
-                let mut fallen = Vec::new();
+                let (mut fallen, mut floating) = (Vec::new(), Vec::new());
                 let mut around = Interiors::NONE;
                 for node in self.scene.geometry.containing(aim.origin) {
                     around.enter(self.scene.body_of(node));
                 }
                 for (number, shot) in aim.ring(ring, settings.jitter).iter().enumerate() {
                     tracer.random = Random::seeded(number as u64, ring as u64, u64::from(aim.light) + 8);
-                    tracer.shoot(aim, shot, &around, &mut fallen);
+                    tracer.shoot(aim, shot, &around, &mut fallen, &mut floating);
                 }
                 self.count(&mut tracer);
-                fallen
+                (fallen, floating)
             })
-            .collect();
-        PhotonMap::new(fallen.concat(), &settings.gathering[0])
+            .unzip();
+        let [surfaces, media] = &settings.gathering;
+        PhotonMaps {
+            surfaces: PhotonMap::new(fallen.concat(), surfaces),
+            media: PhotonMap::new(floating.concat(), media),
+        }
     }
 
     /// Each light with each target that does something to its photons.

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::view::View;
 use super::Job;
 use crate::camera::Size;
-use crate::photon::PhotonMap;
+use crate::photon::PhotonMaps;
 use crate::radiosity::{Cache, Gathered, Indirect, Settings};
 
 /// Places of a pass that one thread takes at a time, along each axis.
@@ -15,7 +15,7 @@ const SIDE: usize = 8;
 
 impl Job {
     /// Fills the cache in ever finer passes; each sees what the passes before it gathered.
-    pub(super) fn gather_light(&self, settings: &Settings, photons: Option<&PhotonMap>) -> Cache {
+    pub(super) fn gather_light(&self, settings: &Settings, photons: Option<&PhotonMaps>) -> Cache {
         let size = Size { width: self.settings.width, height: self.settings.height };
         let width = size.width as f64;
         let [start, end] = settings.pretrace.map(|share| (share * width).max(1.0));
@@ -36,7 +36,7 @@ impl Job {
     fn pass(
         &self,
         settings: &Settings,
-        photons: Option<&PhotonMap>,
+        photons: Option<&PhotonMaps>,
         cache: &Cache,
         size: Size,
         step: f64,

@@ -34,7 +34,7 @@ use crate::accel::{Counters, RayKind};
 use crate::color::Rgb;
 use crate::geometry::{Hit, NodeId};
 use crate::math::Ray;
-use crate::photon::PhotonMap;
+use crate::photon::PhotonMaps;
 use crate::prepare::Scene;
 use crate::radiosity::Indirect;
 use crate::render::Random;
@@ -107,7 +107,7 @@ pub struct Tracer<'s> {
     /// Scratch for textures seen together at one point.
     weights: Vec<(Option<u32>, f64)>,
     /// Light thrown by mirrors and lenses, where the scene asks for it.
-    pub photons: Option<&'s PhotonMap>,
+    pub photons: Option<&'s PhotonMaps>,
     /// Light between surfaces, where the scene asks for it.
     pub indirect: Option<Indirect<'s>>,
     /// Set by someone who no longer wants the picture: rays then see nothing, at once.

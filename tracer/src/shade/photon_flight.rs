@@ -41,39 +41,58 @@ struct Flight<'a> {
     faint: f64,
     /// The longest chain.
     limit: u32,
-    /// Where photons are left.
+    /// The distance between photons, or the angle; that of parallel light does not grow with distance.
+    apart: f64,
+    /// Where photons are left on surfaces.
     fallen: &'a mut Vec<Photon>,
+    /// Where they are left in media.
+    floating: &'a mut Vec<Photon>,
 }
 
 impl Tracer<'_> {
     /// Follows one photon to all places where it falls.
-    pub fn shoot(&mut self, aim: &Aim, shot: &Shot, around: &Interiors, fallen: &mut Vec<Photon>) {
+    pub fn shoot(
+        &mut self,
+        aim: &Aim,
+        shot: &Shot,
+        around: &Interiors,
+        fallen: &mut Vec<Photon>,
+        floating: &mut Vec<Photon>,
+    ) {
         let Some(settings) = &self.scene.photons else { return };
         let mut path = Path { ray: shot.ray, interiors: *around, kind: RayKind::Photon, band: None };
-        let Some(hit) = self.first_hit(&mut path, aim.target) else { return };
+        let Some((hit, passed)) = self.first_hit(&mut path, aim.target) else { return };
         let light = &self.scene.lights[aim.light as usize];
         let point = path.ray.at(hit.crossing.t);
         let beam = light.beam.strength(point, aim.origin, -shot.ray.direction);
-        let flux = light.color * (beam * shot.spread * aim.share);
+        let flux = light.color.mul_each(passed) * (beam * shot.spread * aim.share);
         let faint = settings.adc_bailout * flux.max_element();
-        let mut flight = Flight { light: aim.light, faint, limit: settings.max_trace_level, fallen };
+        let (limit, apart) = (settings.max_trace_level, shot.spread.sqrt());
+        let mut flight = Flight { light: aim.light, faint, limit, apart, fallen, floating };
         let flown = Flown { flux, travelled: (point - shot.ray.origin).length(), level: 1 };
         self.carry_on(&path, &hit, flown, &mut flight);
     }
 
-    /// The target, if a photon reaches it; what lets photons pass is not in the way.
-    fn first_hit(&mut self, path: &mut Path, target: NodeId) -> Option<Hit> {
-        let geometry = &self.scene.geometry;
+    /// The target, if a photon reaches it, and what media leave of its light; what lets photons pass is not in the way.
+    fn first_hit(&mut self, path: &mut Path, target: NodeId) -> Option<(Hit, Rgb)> {
+        let scene = self.scene;
+        let mut passed = Rgb::WHITE;
         loop {
-            let hit = geometry.nearest(&path.ray, NEAREST, f64::INFINITY, path.kind, &mut self.counters)?;
+            let hit =
+                scene.geometry.nearest(&path.ray, NEAREST, f64::INFINITY, path.kind, &mut self.counters)?;
+            passed = passed.mul_each(self.loss_in_bodies(path, hit.crossing.t));
             if hit.object == target {
-                return Some(hit);
+                return Some((hit, passed));
             }
-            let looks = geometry.looks(hit.node);
+            let looks = scene.geometry.looks(hit.node);
             if !(looks.no_shadow || looks.photons.as_ref().is_some_and(|p| p.pass_through)) {
                 return None;
             }
             path.ray.origin = path.ray.at(hit.crossing.t);
+            let body = scene.body_of(hit.node);
+            if !path.interiors.leave(body) {
+                path.interiors.enter(body);
+            }
         }
     }
 
@@ -85,13 +104,50 @@ impl Tracer<'_> {
         let geometry = &self.scene.geometry;
         let hit = geometry.nearest(&path.ray, NEAREST, f64::INFINITY, path.kind, &mut self.counters);
         let Some(hit) = hit else { return };
-        let flown = Flown { travelled: flown.travelled + hit.crossing.t, ..flown };
+        let flux = self.through_media(path, hit.crossing.t, flown, flight);
+        let flown = Flown { flux, travelled: flown.travelled + hit.crossing.t, ..flown };
         if geometry.looks(hit.node).photons.as_ref().is_none_or(|p| p.collect) {
             let (point, direction) = (path.ray.at(hit.crossing.t), path.ray.direction);
             let flux = flown.flux * self.weight_after(flight.light, flown.travelled);
-            flight.fallen.push(Photon { point, direction, flux });
+            flight.fallen.push(Photon::new(point, direction, flux));
         }
         self.carry_on(path, &hit, flown, flight);
+    }
+
+    /// Leaves a photon's light in the media on its way; gives what is left of it.
+    fn through_media(&mut self, path: &Path, distance: f64, flown: Flown, flight: &mut Flight) -> Rgb {
+        let scene = self.scene;
+        let (most, factor) = scene.photons.as_ref().map_or((0, 1.0), |settings| settings.media);
+        if most == 0 || !scene.collects_in_media(&path.interiors) || !scene.is_hollow(&path.interiors) {
+            return flown.flux.mul_each(self.loss_in_bodies(path, distance));
+        }
+        let reach = if scene.lights[flight.light as usize].towards_parallel.is_some() {
+            1.0
+        } else {
+            flown.travelled
+        };
+        let wanted = (distance / (flight.apart * reach * factor)).ceil();
+        let steps = if wanted >= 1.0 { (wanted as usize).min(most) } else { 1 };
+        let length = distance / steps as f64;
+        let mut depth = Rgb::BLACK;
+        for step in 0..steps {
+            let at = (step as f64 + self.random.unit()) * length;
+            let point = path.ray.at(at);
+            let (mut extinction, mut scattering) = (Rgb::BLACK, Rgb::BLACK);
+            for media in path.interiors.iter().flat_map(|body| scene.media_of(body)) {
+                let density = media.density(point);
+                extinction += density.mul_each(media.extinction);
+                scattering += density.mul_each(media.scattering);
+            }
+            if scattering != Rgb::BLACK {
+                let weight = self.weight_after(flight.light, flown.travelled + at);
+                // Light is lost at the end of the way only (probed).
+                let flux = flown.flux * (weight * length);
+                flight.floating.push(Photon::new(point, path.ray.direction, flux));
+            }
+            depth += extinction * length;
+        }
+        flown.flux.mul_each(depth.map(|d| (-d).exp()))
     }
 
     /// What light of a lamp counts after a way of some length, mirrors and lenses or not (probed): it fades, and a

@@ -18,11 +18,11 @@ impl Tracer<'_> {
         pigment: Rgb,
         opacity: f64,
     ) -> Rgb {
-        let Some(map) = self.photons.filter(|_| collects(spot)) else {
+        let Some(maps) = self.photons.filter(|_| collects(spot)) else {
             return Rgb::BLACK;
         };
         let mut sum = Rgb::BLACK;
-        let square = map.gather(spot.point, Some(normal), |photon| {
+        let square = maps.surfaces.gather(spot.point, Some(normal), |photon| {
             let towards = -photon.direction;
             let cos = towards.dot(spot.normal);
             if cos > 0.0 {

@@ -128,17 +128,13 @@ impl Tracer<'_> {
     /// atmosphere's media are there, fog is not (probed).
     pub(super) fn media_filter(&mut self, path: &Path, distance: f64, light: &Light) -> Rgb {
         let scene = self.scene;
-        let mut left = Rgb::WHITE;
         if !self.sees_volumes() {
-            return left;
+            return Rgb::WHITE;
         }
-        let hollow = scene.is_hollow(&path.interiors);
-        if scene.has_media && hollow {
-            left = self.loss(path, Matter::Bodies(&path.interiors), distance);
-        }
+        let mut left = self.loss_in_bodies(path, distance);
         if scene.air_dims(light) {
             left = left.mul_each(self.loss(path, Matter::Air, distance));
-            if hollow {
+            if scene.is_hollow(&path.interiors) {
                 left = left.mul_each(scene.atmosphere.filter(&path.ray, distance));
             }
         }
@@ -151,6 +147,15 @@ impl Tracer<'_> {
         if self.sees_volumes() && scene.air_dims(light) && scene.is_hollow(&path.interiors) {
             let fog = scene.atmosphere.filter(&path.ray, distance);
             fog.mul_each(self.loss(path, Matter::Air, distance))
+        } else {
+            Rgb::WHITE
+        }
+    }
+
+    /// What the media of the objects around leave of light.
+    pub(super) fn loss_in_bodies(&mut self, path: &Path, distance: f64) -> Rgb {
+        if self.scene.has_media && self.scene.is_hollow(&path.interiors) {
+            self.loss(path, Matter::Bodies(&path.interiors), distance)
         } else {
             Rgb::WHITE
         }

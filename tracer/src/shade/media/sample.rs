@@ -29,7 +29,7 @@ impl Tracer<'_> {
             light += density.mul_each(media.emission);
             scattering += density.mul_each(media.scattering);
         }
-        if stretch.lit && scattering != Rgb::BLACK {
+        if (stretch.lit || self.photons.is_some()) && scattering != Rgb::BLACK {
             light += scattering.mul_each(self.thrown(way, point));
         }
         if fading {
@@ -42,7 +42,16 @@ impl Tracer<'_> {
     /// mean of their phase functions, those too that are not at the point or do not scatter (probed).
     fn thrown(&mut self, way: &Way, point: Vec3) -> Rgb {
         let scene = self.scene;
-        let place = Place { point, interiors: way.interiors, collects_photons: false };
+        let collects = way.matter.media(scene).any(|media| media.collect);
+        let place = Place { point, interiors: way.interiors, collects_photons: collects };
+        let phase = |cos: f64| {
+            let (mut phases, mut count) = (0.0, 0);
+            for media in way.matter.media(scene) {
+                phases += media.phase.factor(cos);
+                count += 1;
+            }
+            phases / f64::from(count)
+        };
         let mut sum = Rgb::BLACK;
         for &number in scene.lights_for(way.light_group) {
             let light: &Light = &scene.lights[number as usize];
@@ -57,13 +66,14 @@ impl Tracer<'_> {
             if color == Rgb::BLACK {
                 continue;
             }
-            let cos = way.ray.direction.dot(arrival.direction);
-            let (mut phases, mut count) = (0.0, 0);
-            for media in way.matter.media(scene) {
-                phases += media.phase.factor(cos);
-                count += 1;
-            }
-            sum += color * (phases / f64::from(count));
+            sum += color * phase(way.ray.direction.dot(arrival.direction));
+        }
+        if let Some(maps) = self.photons.filter(|_| collects) {
+            let mut thrown = Rgb::BLACK;
+            let square = maps.media.gather(point, None, |photon| {
+                thrown += photon.flux * phase(-way.ray.direction.dot(photon.direction));
+            });
+            sum += thrown * (4.0 / 3.0 * std::f64::consts::PI * square * square.sqrt()).recip();
         }
         sum
     }
