@@ -153,9 +153,19 @@ class Expressions(Body):
     def _member(self, node: tree.Member) -> ast.expr:
         of = self.expression(node.of)
         self.emit.move(node.end_line, node.end_column)
+        if COMPONENTS.get(node.name) == 0:
+            return self._first_component(of, node.name)
         if node.name in COMPONENTS or node.name == "gray":
             return self.emit.attribute(of, node.name)
         return self.emit.call("member", of, self.emit.constant(node.name))
+
+    def _first_component(self, of: ast.expr, component: str) -> ast.expr:
+        """The first component of a vector, which numbers have too."""
+        name = self.unit.unique("t")
+        kind = self.emit.attribute(self.emit.named(name, of), "__class__")
+        number = self.emit.name(name)
+        is_float = self.emit.compare(kind, ast.Is(), self.emit.name("float"))
+        return self.emit.conditional(is_float, number, self.emit.attribute(self.emit.name(name), component))
 
     def _subscript(self, node: tree.Subscript) -> ast.expr:
         container, indices = self.element(node)

@@ -15,7 +15,11 @@ pub fn of_primitive(shape: &Shape, place: Option<&Transform>, inverse: bool) -> 
         (_, None) => bounds,
     };
     let surface = placed(shape.bounds());
-    let (inside, outside) = (placed(shape.solid_bounds()), placed(shape.hollow_bounds()));
+    let inside = placed(shape.solid_bounds());
+    let outside = match shape {
+        Shape::Plane(plane) => placed(plane.hollow_bounds()),
+        _ => Bounds::INFINITE,
+    };
     let (solid, hollow) = match (shape.solid(), inverse) {
         (false, _) => (Bounds::EMPTY, Bounds::INFINITE),
         (true, false) => (inside, outside),

@@ -105,11 +105,6 @@ pub trait Primitive {
         self.bounds()
     }
 
-    /// Box around all outside: of use for half-spaces.
-    fn hollow_bounds(&self) -> Bounds {
-        Bounds::INFINITE
-    }
-
     /// Offers crossings with `from < t <= limit`; see the module.
     fn intersect(
         &self,
@@ -189,9 +184,6 @@ macro_rules! primitives {
             }
             fn solid_bounds(&self) -> Bounds {
                 match self { $(Shape::$variant(s) => s.solid_bounds()),* }
-            }
-            fn hollow_bounds(&self) -> Bounds {
-                match self { $(Shape::$variant(s) => s.hollow_bounds()),* }
             }
             #[inline]
             fn intersect(

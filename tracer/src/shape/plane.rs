@@ -20,6 +20,11 @@ impl Plane {
     pub fn new(normal: Vec3, distance: f64) -> Plane {
         Plane { normal: normal.normalized(), distance }
     }
+
+    /// Box around all outside.
+    pub fn hollow_bounds(&self) -> Bounds {
+        Plane { normal: -self.normal, distance: -self.distance }.solid_bounds()
+    }
 }
 
 impl Primitive for Plane {
@@ -38,10 +43,6 @@ impl Primitive for Plane {
             }
         }
         bounds
-    }
-
-    fn hollow_bounds(&self) -> Bounds {
-        Plane { normal: -self.normal, distance: -self.distance }.solid_bounds()
     }
 
     #[inline]
