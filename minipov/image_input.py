@@ -58,6 +58,8 @@ def load_image(
         OSError: the file is missing, damaged or of an unknown format.
     """
     stored = _read_palette(path) or _read_channels(path)
+    if kind == "pot" and purpose == "heights" and stored.index is not None:
+        stored = _joined_halves(stored.index)
     channels = stored.channels
     count = channels.shape[2]
     alpha = channels[..., -1] if count in (2, 4) else None
@@ -75,6 +77,13 @@ def load_image(
         palette_size=stored.palette_size,
         gray=count < 3,
     )
+
+
+def _joined_halves(index: NDArray[np.uint16]) -> _Stored:
+    """The heights of a POT file, a GIF twice as wide: high bytes on the left, low bytes on the right."""
+    width = index.shape[1] // 2
+    steps = index[:, :width].astype(np.float64) * 256.0 + index[:, width : 2 * width]
+    return _Stored(steps[..., None] / 65535.0, "pot", 16, None)
 
 
 def _default_curve(stored: _Stored, version: float) -> Gamma:
