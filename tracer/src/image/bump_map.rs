@@ -14,7 +14,8 @@ impl ImageMapping {
         let Some([column, row]) = self.locate(p) else { return n };
         let height = |across: f64, up: f64| {
             let place = [self.on_picture(0, column + across), self.on_picture(1, row + up)];
-            amount * if used == ImageUse::Index { self.index(place) } else { self.texel(place).rgb.gray() }
+            let indexed = used == ImageUse::Index && self.has_palette();
+            amount * if indexed { self.index(place) } else { self.texel(place).rgb.gray() }
         };
         let (here, left, right) = (height(0.0, 0.0), height(-1.0, -1.0), height(1.0, -1.0));
         let turn = vec3(0.5 * (right - left), here - 0.5 * (left + right), 1.0).normalized();
