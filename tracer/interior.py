@@ -74,12 +74,16 @@ class Media:
 
 @dataclass(frozen=True, slots=True)
 class Interior:
-    """What fills an object. ``fade_power`` 0 switches attenuation off."""
+    """What fills an object. ``fade_power`` 0 switches attenuation off.
+
+    ``refraction`` is said by finishes of old scenes only: the share of light from behind a surface that is seen.
+    """
 
     ior: float = 1.0
     dispersion: float = 1.0
     dispersion_samples: int = 7
     caustics: float = 0.0
+    refraction: float = 1.0
     fade_distance: float = 0.0
     fade_power: float = 0.0
     fade_color: Rgb = BLACK

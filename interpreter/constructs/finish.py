@@ -28,6 +28,8 @@ from minipov.tracer.texture import LayeredTexture, PlainTexture, Texture
 from minipov.tracer.values import BLACK
 
 NO_INTERIOR: Final = Interior()
+CAUSTIC_SHARPNESS: Final = 45.0
+"""How much sharper than by ``caustics`` of a finish light gathers by that of an interior (probed)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,9 +129,10 @@ def read_finish(reader: ItemReader, context: Context, base: Finish) -> Finish:
 def _old_style(finish: Finish, said: dict[str, Any]) -> OldFinish:
     """The finish with interior items put away for the object to take."""
     interior = finish.interior if isinstance(finish, OldFinish) else Interior()
-    refraction = said.pop("refraction", None)
-    if refraction is not None and refraction <= 0.0:
+    if said.get("refraction", 1.0) <= 0.0:
         said.pop("ior", None)
+    if "caustics" in said:
+        said["caustics"] /= CAUSTIC_SHARPNESS
     plain = {field.name: getattr(finish, field.name) for field in fields(Finish)}
     return OldFinish(**plain, interior=replace(interior, **said))
 

@@ -78,6 +78,7 @@ pub struct Interior {
     pub dispersion: f64,
     pub dispersion_samples: usize,
     pub caustics: f64,
+    pub refraction: f64,
     pub fade_distance: f64,
     pub fade_power: f64,
     pub fade_color: Rgb,

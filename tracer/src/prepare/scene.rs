@@ -181,7 +181,13 @@ impl Scene {
         }
     }
 
-    /// The same for light of a lamp, which an absent `fade_power` leaves alone.
+    /// What `refraction F` of an old finish leaves of light from behind a surface, though not of a lamp's.
+    #[inline]
+    pub fn refraction(&self, id: BodyId) -> f64 {
+        self.interior(id).map_or(1.0, |interior| interior.refraction)
+    }
+
+    /// `view_attenuation` for light of a lamp, which an absent `fade_power` leaves alone.
     pub fn shadow_attenuation(&self, spot: &Spot) -> Rgb {
         match self.interior(spot.body) {
             Some(i) if i.fade_power > 0.0 => self.view_attenuation(spot),

@@ -135,7 +135,13 @@ impl Tracer<'_> {
             if let Some(mirror) = &finish.reflection {
                 let share = self.reflectivity(spot, mirror, normal, color.rgb);
                 let weight = weight * through * mirror.strength(share);
-                self.mirrors.push(Mirrored { normal, share, weight, exponent: mirror.exponent });
+                self.mirrors.push(Mirrored {
+                    normal,
+                    share,
+                    weight,
+                    exponent: mirror.exponent,
+                    layer: number,
+                });
                 if finish.conserve_energy {
                     passes = passes.mul_each(share.map(|s| (1.0 - s).max(0.0)));
                 }
@@ -149,7 +155,7 @@ impl Tracer<'_> {
             let mirrored = self.mirrors[i];
             // Total reflection takes the place of mirrors that lie the same way.
             if !(totally && mirrored.normal == top_normal) {
-                seen.rgb += self.mirrored(spot, &mirrored, top);
+                seen.rgb += self.mirrored(spot, &mirrored, &layers[mirrored.layer].finish);
             }
         }
         self.mirrors.truncate(first_mirror);

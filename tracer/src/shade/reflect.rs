@@ -18,6 +18,8 @@ pub(super) struct Mirrored {
     pub weight: f64,
     /// The power that mirrored light is raised to.
     pub exponent: f64,
+    /// The layer that is the mirror.
+    pub layer: usize,
 }
 
 impl Reflection {
@@ -52,7 +54,7 @@ impl Tracer<'_> {
         share.mul_each(metallic_tint(mirror.metallic, cos, pigment))
     }
 
-    /// Light from the mirrored direction, times the mirror's share; `top` is the finish of the topmost layer.
+    /// Light from the mirrored direction, times the mirror's share; `finish` is that of the mirror's layer.
     pub(super) fn mirrored(&mut self, spot: &Spot, mirrored: &Mirrored, top: &Finish) -> Rgb {
         if !self.scene.quality.reflection || mirrored.share == Rgb::BLACK {
             return Rgb::BLACK;

@@ -47,7 +47,7 @@ impl Tracer<'_> {
         if !scene.quality.refraction {
             return false;
         }
-        let attenuation = scene.view_attenuation(spot);
+        let attenuation = scene.view_attenuation(spot) * scene.refraction(spot.body);
         let ior = 1.0 / self.relative_ior(spot);
         let (behind, totally) = match (self.dispersion(spot), spot.path.band) {
             (None, _) if (ior - 1.0).abs() < UNBENT => {
