@@ -5,8 +5,6 @@ use crate::graph::settings as graph;
 /// What rules gathering and reuse.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// Weaker contributions are not gathered.
-    pub adc_bailout: f64,
     /// Whether the picture proper gathers wherever light near by is scarce.
     pub always_sample: bool,
     /// Factor of all gathered light.
@@ -38,7 +36,6 @@ pub struct Settings {
 impl From<&graph::Radiosity> for Settings {
     fn from(r: &graph::Radiosity) -> Settings {
         Settings {
-            adc_bailout: r.adc_bailout,
             always_sample: r.always_sample,
             brightness: r.brightness,
             count: r.count.0.max(1),

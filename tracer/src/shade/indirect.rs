@@ -8,12 +8,13 @@ use crate::math::{Ray, Vec3};
 use crate::radiosity::{hemisphere, Gathered, Mean, Settings};
 
 impl Tracer<'_> {
-    /// The mean light from the hemisphere over a surface, black where light is no longer thrown on.
+    /// The mean light from the hemisphere over a surface, black where light is no longer thrown on, or where it would
+    /// add too little to the pixel: `weight` counts what the surface throws back of it (probed).
     pub(super) fn indirect_light(&mut self, spot: &Spot, normal: Vec3, weight: f64) -> Rgb {
         let (Some(settings), Some(indirect)) = (&self.scene.radiosity, &self.indirect) else {
             return Rgb::BLACK;
         };
-        if indirect.bounces >= settings.recursion_limit || weight < settings.adc_bailout {
+        if indirect.bounces >= settings.recursion_limit || weight < self.scene.adc_bailout {
             return Rgb::BLACK;
         }
         let pole = if settings.normal { normal } else { spot.normal };

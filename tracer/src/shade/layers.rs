@@ -127,7 +127,7 @@ impl Tracer<'_> {
             }
             if finish.diffuse[0] != 0.0 && self.indirect.is_some() {
                 let share = finish.diffuse[0] * opacity;
-                let light = self.indirect_light(spot, normal, weight * through * share);
+                let light = self.indirect_light(spot, normal, weight * through * share * color.rgb.gray());
                 own += light.mul_each(color.rgb) * share;
             }
             seen.rgb += own.mul_each(filter);
