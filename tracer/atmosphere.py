@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
+from minipov.tracer.node import node
 from minipov.tracer.pigment import ColorMap, Pigment
 from minipov.tracer.values import WHITE, Rgb, Rgbft, Vec3
 from minipov.tracer.warp import Turbulence
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Fog:
     """``fog { fog_type 1|2 distance F color C fog_offset F fog_alt F up V turbulence V turb_depth F }``."""
 
@@ -24,7 +24,7 @@ class Fog:
     turb_depth: float = 0.5
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Rainbow:
     """``rainbow { direction V angle F width F distance F color_map {...} ... }``, angles in degrees.
 
@@ -42,7 +42,7 @@ class Rainbow:
     falloff_angle: float = math.inf
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class SkySphere:
     """``sky_sphere { pigment {...} pigment {...} emission C }``: layered pigments looked up by direction."""
 

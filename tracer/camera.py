@@ -5,10 +5,10 @@ The interpreter has already done look_at, sky, angle and the transforms: what is
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from minipov.tracer.function import Function
+from minipov.tracer.node import node
 from minipov.tracer.normal import Normal
 from minipov.tracer.pigment import Pigment
 from minipov.tracer.transform import IDENTITY, Transform
@@ -34,7 +34,7 @@ CameraKind: TypeAlias = Literal[
 ]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class FocalBlur:
     """``aperture F blur_samples min, max focal_point V confidence F variance F bokeh { pigment }``.
 
@@ -49,7 +49,7 @@ class FocalBlur:
     bokeh: Pigment | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class MeshCamera:
     """``mesh_camera { rays_per_pixel distribution max_distance mesh {...} smooth }``.
 
@@ -64,7 +64,7 @@ class MeshCamera:
     smooth: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class UserDefinedCamera:
     """3.8 ``user_defined``: functions of (x, y) in -0.5..0.5 for location and direction; None uses the vector.
 
@@ -76,7 +76,7 @@ class UserDefinedCamera:
     transform: Transform = IDENTITY
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Camera:
     """From where and how the picture is taken.
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from minipov.tracer.node import node
 from minipov.tracer.values import BLACK, Rgb
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Reflection:
     """``reflection { minimum, maximum fresnel falloff F exponent F metallic F }``: minimum head-on, maximum grazing."""
 
@@ -19,7 +18,7 @@ class Reflection:
     metallic: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Iridescence:
     """``irid { amount thickness F turbulence F }``."""
 
@@ -28,7 +27,7 @@ class Iridescence:
     turbulence: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Subsurface:
     """``subsurface { translucency C anisotropy C }``."""
 
@@ -36,7 +35,7 @@ class Subsurface:
     anisotropy: Rgb = BLACK
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Finish:
     """How a surface answers light; the defaults are those of ``#version 3.7``.
 

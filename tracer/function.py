@@ -5,9 +5,9 @@ An expression is a tree of the small classes below; parameters are numbered. The
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
+from minipov.tracer.node import node
 from minipov.tracer.transform import Transform
 
 if TYPE_CHECKING:
@@ -15,21 +15,21 @@ if TYPE_CHECKING:
     from minipov.tracer.pigment import Pigment
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Constant:
     """A number known when the function is declared."""
 
     value: float
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Parameter:
     """Parameter number ``index`` (0-based); beyond the parameters come the running indices of ``sum`` and ``prod``."""
 
     index: int
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Operation:
     """``operator`` is one of ``+ - * / neg < <= = != >= > & |`` or the keyword of a float function (``sin``, ...).
 
@@ -40,7 +40,7 @@ class Operation:
     operands: tuple[Expression, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Call:
     """Another function's value; ``component`` 0..4 picks red..transmit (or x, y, z, t) of a vector function."""
 
@@ -49,7 +49,7 @@ class Call:
     component: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Accumulate:
     """``sum(i, first, last, body)`` or ``prod(...)``; ``index`` is the parameter number that ``i`` has in ``body``."""
 
@@ -63,7 +63,7 @@ class Accumulate:
 Expression: TypeAlias = Constant | Parameter | Operation | Call | Accumulate
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class ExpressionFunction:
     """``function (names) { body }``; without a list the parameters are x, y, z."""
 
@@ -71,14 +71,14 @@ class ExpressionFunction:
     body: Expression
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class InternalFunction:
     """``function { internal(number) }``, number 0..78."""
 
     number: int
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class PatternFunction:
     """``function { pattern { ... } }`` of x, y, z."""
 
@@ -86,21 +86,21 @@ class PatternFunction:
     modifiers: PatternModifiers
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class PigmentFunction:
     """``function { pigment { ... } }`` of x, y, z; five components."""
 
     pigment: Pigment
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class TransformFunction:
     """``function { transform { ... } }`` of x, y, z; three components."""
 
     transform: Transform
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Spline:
     """``spline { cubic_spline 0, <0,0,0> 1, <1,2,3> }``: points sorted by parameter.
 
@@ -112,7 +112,7 @@ class Spline:
     size: int
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class SplineFunction:
     """``function { spline { ... } }`` of one parameter; ``spline.size`` components."""
 

@@ -5,10 +5,10 @@ Reading files is not the tracer's work: an `Image` arrives as arrays, its colour
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 import numpy as np
+from minipov.tracer.node import node
 from minipov.tracer.values import Vec2
 from numpy.typing import NDArray
 
@@ -16,7 +16,7 @@ ImagePurpose: TypeAlias = Literal["color", "pattern", "heights"]
 """What a picture is read for: to be seen, as the values of a pattern, or as a height field."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@node(eq=False)
 class Image:
     """Pixels of one file, row 0 at the top.
 
@@ -32,7 +32,7 @@ class Image:
     gray: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class ImageMapping:
     """How a picture lies in space; the unit square of the xy-plane shows it once.
 

@@ -2,29 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-
+from minipov.tracer.node import node, replace
 from minipov.tracer.pattern import PLAIN, Pattern, PatternModifiers
 from minipov.tracer.pigment import ColorMap
 from minipov.tracer.transform import IDENTITY, Transform
 from minipov.tracer.values import BLACK, WHITE, Rgb
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class DensityMap:
     """``density_map { [F density] ... }``."""
 
     entries: tuple[tuple[float, Density], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class DensityList:
     """The densities of a block pattern, one per kind of block."""
 
     densities: tuple[Density, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Density:
     """A factor at every point of space; without a pattern it is ``color`` everywhere."""
 
@@ -38,7 +37,7 @@ class Density:
         return self if transform is IDENTITY else replace(self, modifiers=self.modifiers.transformed(transform))
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Scattering:
     """``scattering { kind, color eccentricity F extinction F }``, kind 1..5."""
 
@@ -48,7 +47,7 @@ class Scattering:
     extinction: float = 1.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Media:
     """``media { ... }``: what light meets on its way through a volume; densities multiply."""
 
@@ -72,7 +71,7 @@ class Media:
         return replace(self, densities=tuple(d.transformed(transform) for d in self.densities))
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Interior:
     """What fills an object. ``fade_power`` 0 switches attenuation off.
 

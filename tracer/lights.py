@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
+from minipov.tracer.node import node, replace
 from minipov.tracer.transform import Transform
 from minipov.tracer.values import Rgb, Vec3
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from minipov.tracer.objects import Object
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class AreaLight:
     """``area_light axis1, axis2, size1, size2``; ``adaptive`` None samples the whole grid."""
 
@@ -27,7 +27,7 @@ class AreaLight:
     area_illumination: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class LightPhotons:
     """``photons { reflection B refraction B area_light }`` of a light."""
 
@@ -36,7 +36,7 @@ class LightPhotons:
     area_light: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class LightSource:
     """A light. Spot ``radius`` and ``falloff`` are angles in degrees, cylinder ones lengths.
 

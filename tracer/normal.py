@@ -2,29 +2,29 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TypeAlias
 
+from minipov.tracer.node import node, replace
 from minipov.tracer.pattern import PLAIN, Pattern, PatternModifiers
 from minipov.tracer.transform import IDENTITY, Transform
 from minipov.tracer.values import Vec2
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class SlopeMap:
     """``slope_map { [F <height, slope>] ... }``."""
 
     entries: tuple[tuple[float, Vec2], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class NormalMap:
     """``normal_map { [F normal] ... }``; the numbers are weights under ``average``."""
 
     entries: tuple[tuple[float, Normal], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class NormalList:
     """The normals of a block pattern, one per kind of block; None leaves that block smooth."""
 
@@ -34,7 +34,7 @@ class NormalList:
 NormalBlend: TypeAlias = SlopeMap | NormalMap | NormalList
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Normal:
     """A perturbation of the surface normal; ``pattern`` None leaves it alone.
 

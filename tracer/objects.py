@@ -6,17 +6,17 @@ into the parent's space. Its own texture, interior and clipping objects are alre
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from minipov.tracer import shapes
 from minipov.tracer.interior import Interior
 from minipov.tracer.lights import LightSource
+from minipov.tracer.node import node, replace
 from minipov.tracer.texture import Texture
 from minipov.tracer.transform import IDENTITY, Transform
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Union:
     """``union { ... }``: all the surfaces of all children."""
 
@@ -25,7 +25,7 @@ class Union:
     split_union: bool = True
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Merge:
     """``merge { ... }``: a union without its inner surfaces."""
 
@@ -33,7 +33,7 @@ class Merge:
     lights: tuple[LightSource, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Intersection:
     """``intersection { ... }``; ``difference`` is one whose later children are inverse."""
 
@@ -42,7 +42,7 @@ class Intersection:
     cutaway_textures: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class LightGroup:
     """``light_group { ... global_lights B }``: lights that shine only on the group's objects."""
 
@@ -86,7 +86,7 @@ Shape: TypeAlias = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class PhotonBehaviour:
     """``photons { target F reflection B refraction B collect B pass_through B }``; None where not said."""
 
@@ -97,7 +97,7 @@ class PhotonBehaviour:
     pass_through: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Modifiers:
     """The rarer object modifiers; ``hollow`` and the like are None where not said, so that CSG parents can decide.
 
@@ -131,7 +131,7 @@ class Modifiers:
 NO_MODIFIERS = Modifiers()
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Object:
     """A shape with its place and looks. Without a ``texture`` it wears its parent's.
 

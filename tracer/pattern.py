@@ -5,11 +5,11 @@ A class per pattern, with the pattern's own parameters; what all patterns share 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
 from minipov.tracer.image import ImageMapping
+from minipov.tracer.node import node
 from minipov.tracer.transform import IDENTITY, Transform
 from minipov.tracer.values import Vec2, Vec3
 from minipov.tracer.warp import Turbulence, Warp
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 Wave: TypeAlias = Literal["ramp_wave", "triangle_wave", "sine_wave", "scallop_wave", "cubic_wave", "poly_wave"]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class PatternModifiers:
     """How a point reaches a pattern and how the value is shaped.
 
@@ -65,7 +65,7 @@ class PatternModifiers:
 PLAIN = PatternModifiers()
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class SimplePattern:
     """A pattern without parameters of its own, by its keyword.
 
@@ -76,14 +76,14 @@ class SimplePattern:
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Agate:
     """``agate agate_turb F``."""
 
     agate_turb: float = 1.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Brick:
     """``brick brick_size V mortar F``."""
 
@@ -91,7 +91,7 @@ class Brick:
     mortar: float = 0.5
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Crackle:
     """``crackle form V metric F offset F solid``; ``repeat`` (3.8) is the period, 0 none."""
 
@@ -102,7 +102,7 @@ class Crackle:
     repeat: Vec3 = (0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@node(eq=False)
 class DensityFile:
     """``density_file df3 "f.df3" interpolate I``; ``voxels`` has shape (z, y, x), float32 in 0..1."""
 
@@ -110,7 +110,7 @@ class DensityFile:
     interpolate: int = 0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Facets:
     """``facets size F metric F`` or ``facets coords F size F`` (normals only).
 
@@ -122,21 +122,21 @@ class Facets:
     metric: float = 2.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class FunctionPattern:
     """``function { ... }`` used as a pattern of x, y, z."""
 
     function: Function
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Gradient:
     """``gradient V``."""
 
     direction: Vec3
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class ImageMap:
     """``image_map { ... }`` in a pigment. Filter and transmit by palette index, or for ``all`` (index None)."""
 
@@ -145,21 +145,21 @@ class ImageMap:
     transmit: tuple[tuple[int | None, float], ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class ImagePattern:
     """``image_pattern { ... }``: the grey value of a picture."""
 
     mapping: ImageMapping
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class BumpMap:
     """``bump_map { ... }`` (normals only): the brightness of a picture, or its palette numbers, as heights."""
 
     mapping: ImageMapping
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Fractal:
     """``mandel I``, ``julia V2, I``, ``magnet 1|2 mandel|julia``; ``coordinate`` None means the Mandelbrot kind."""
 
@@ -171,14 +171,14 @@ class Fractal:
     interior: tuple[int, float] = (0, 1.0)
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class ObjectPattern:
     """``object { OBJECT }``: 1 inside, 0 outside."""
 
     object: Object
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Pavement:
     """``pavement number_of_sides I number_of_tiles I pattern I form I interior I exterior I``."""
 
@@ -190,14 +190,14 @@ class Pavement:
     exterior: int = 0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class PigmentPattern:
     """``pigment_pattern { ... }``: the grey value of a pigment."""
 
     pigment: Pigment
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Potential:
     """``potential { OBJECT threshold B }`` (3.8): the field of a blob or isosurface."""
 
@@ -205,7 +205,7 @@ class Potential:
     threshold: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Quilted:
     """``quilted control0 F control1 F``."""
 
@@ -213,7 +213,7 @@ class Quilted:
     control1: float = 1.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Slope:
     """``slope { V, lo, hi altitude V, lo, hi }``; ``point_at`` says that the direction is a point to look towards."""
 
@@ -226,7 +226,7 @@ class Slope:
     altitude_high: float = 1.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Spiral:
     """``spiral1 I`` (kind 1) and ``spiral2 I`` (kind 2)."""
 
@@ -234,7 +234,7 @@ class Spiral:
     arms: int
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Tiling:
     """``tiling I``, 1..27."""
 

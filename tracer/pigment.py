@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from minipov.tracer.function import Function
+from minipov.tracer.node import node, replace
 from minipov.tracer.pattern import PLAIN, Pattern, PatternModifiers
 from minipov.tracer.transform import IDENTITY, Transform
 from minipov.tracer.values import OPAQUE_BLACK, Rgbft
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class ColorMap:
     """``color_map { [F color] ... }``; 3.8: ``blend_mode`` 0..3 and ``blend_gamma``."""
 
@@ -20,7 +20,7 @@ class ColorMap:
     blend_gamma: float = 2.5
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class PigmentMap:
     """``pigment_map { [F pigment] ... }``; the numbers are weights under ``average``."""
 
@@ -29,14 +29,14 @@ class PigmentMap:
     blend_gamma: float = 2.5
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class PigmentList:
     """The pigments (or plain colours) of ``checker``, ``brick``, ``hexagon``, ... one per kind of block."""
 
     pigments: tuple[Pigment, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class UserDefinedPigment:
     """3.8 ``user_defined { function{} ... }``: a function (or None) each for red, green, blue, filter, transmit."""
 
@@ -46,7 +46,7 @@ class UserDefinedPigment:
 PigmentBlend: TypeAlias = ColorMap | PigmentMap | PigmentList | UserDefinedPigment
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Pigment:
     """A colour at every point of space.
 

@@ -11,10 +11,10 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from minipov.tracer import _core
+from minipov.tracer.node import node
 from minipov.tracer.scene import Scene
 from minipov.tracer.settings import RenderSettings
 from numpy.typing import NDArray
@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 POLL_SECONDS = 0.05
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@node(eq=False)
 class Statistics:
     """What a render counted: ``rays`` by kind, primitive ``tests`` by shape, search ``cells`` and ``boxes`` looked at,
     tests for being inside, and seconds of preparing and tracing."""
@@ -36,7 +36,7 @@ class Statistics:
     trace_seconds: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@node(eq=False)
 class RenderResult:
     """A picture: ``pixels`` (height, width, 4), float32, row 0 at the top.
 

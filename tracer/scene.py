@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 from minipov.tracer.atmosphere import Fog, Rainbow, SkySphere
 from minipov.tracer.camera import Camera
 from minipov.tracer.interior import Media
 from minipov.tracer.lights import LightSource
+from minipov.tracer.node import node
 from minipov.tracer.objects import Object
 from minipov.tracer.settings import GlobalSettings
 from minipov.tracer.texture import PlainTexture, Texture
 from minipov.tracer.values import Rgbft
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Scene:
     """Objects, lights and surroundings, in source order. ``version`` is the scene's ``#version``.
 
@@ -23,7 +22,7 @@ class Scene:
 
     objects: tuple[Object, ...] = ()
     lights: tuple[LightSource, ...] = ()
-    camera: Camera = field(default_factory=Camera)
+    camera: Camera = Camera()
     background: Rgbft = (0.0, 0.0, 0.0, 0.0, 1.0)
     fogs: tuple[Fog, ...] = ()
     rainbows: tuple[Rainbow, ...] = ()

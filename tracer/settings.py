@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, TypeAlias, get_args
 
+from minipov.tracer.node import node
 from minipov.tracer.values import WHITE, Rgb
 
 Gamma: TypeAlias = float | Literal["srgb"] | None
@@ -17,7 +17,7 @@ Accelerator: TypeAlias = Literal["linear", "spheres", "hierarchy", "grid", "octr
 ACCELERATORS: tuple[Accelerator, ...] = get_args(Accelerator)
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Radiosity:
     """``radiosity { ... }`` of ``global_settings``."""
 
@@ -41,7 +41,7 @@ class Radiosity:
     recursion_limit: int = 2
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Photons:
     """``photons { ... }`` of ``global_settings``; None in ``radius`` means automatic."""
 
@@ -59,7 +59,7 @@ class Photons:
     load_file: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class SubsurfaceSettings:
     """``subsurface { samples I, I radiosity B }`` of ``global_settings``."""
 
@@ -67,7 +67,7 @@ class SubsurfaceSettings:
     radiosity: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class GlobalSettings:
     """``global_settings { ... }``; the defaults are those of ``#version 3.7``."""
 
@@ -84,7 +84,7 @@ class GlobalSettings:
     subsurface: SubsurfaceSettings | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Antialiasing:
     """``+A threshold +AM method +R depth +J jitter +AG gamma``; ``method`` 1 grid, 2 recursive."""
 
@@ -95,7 +95,7 @@ class Antialiasing:
     gamma: float = 2.5
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class RenderSettings:
     """What the caller decides. Rows and columns are 0-based, ends exclusive, and None means the whole picture.
 

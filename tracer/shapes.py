@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 import numpy as np
 from minipov.tracer.function import Function
+from minipov.tracer.node import node
 from minipov.tracer.texture import Texture
 from minipov.tracer.transform import IDENTITY, Transform
 from minipov.tracer.values import Vec2, Vec3, Vec4
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 SplineKind: TypeAlias = Literal["linear_spline", "quadratic_spline", "cubic_spline", "bezier_spline", "b_spline"]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Sphere:
     """``sphere { center, radius }``."""
 
@@ -23,7 +23,7 @@ class Sphere:
     radius: float
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Box:
     """``box { corner, corner }``, corners in any order."""
 
@@ -31,7 +31,7 @@ class Box:
     corner2: Vec3
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Cylinder:
     """``cylinder { base, cap, radius open }``."""
 
@@ -41,7 +41,7 @@ class Cylinder:
     open: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Cone:
     """``cone { base, radius, cap, radius open }``."""
 
@@ -52,7 +52,7 @@ class Cone:
     open: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Plane:
     """``plane { normal, distance }``: points p with ``p . n/|n| = distance``; the inside lies against the normal."""
 
@@ -60,7 +60,7 @@ class Plane:
     distance: float
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Disc:
     """``disc { center, normal, radius, hole }``."""
 
@@ -70,7 +70,7 @@ class Disc:
     hole_radius: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Torus:
     """``torus { major, minor sturm }`` about the y axis; ``spindle`` (3.8) for minor > major."""
 
@@ -80,7 +80,7 @@ class Torus:
     sturm: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Quadric:
     """``quadric { <A,B,C>, <D,E,F>, <G,H,I>, J }``.
 
@@ -93,7 +93,7 @@ class Quadric:
     constant: float
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Poly:
     """``poly { order, <coefficients> }``, also ``cubic``, ``quartic``, ``polynomial``.
 
@@ -105,14 +105,14 @@ class Poly:
     sturm: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Polygon:
     """``polygon { n, points }``; a repeated first point closes a ring; rings overlap by even-odd."""
 
     points: tuple[Vec3, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Triangle:
     """``triangle { a, b, c }``."""
 
@@ -121,7 +121,7 @@ class Triangle:
     c: Vec3
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class SmoothTriangle:
     """``smooth_triangle { a, normal_a, b, normal_b, c, normal_c }``."""
 
@@ -133,7 +133,7 @@ class SmoothTriangle:
     normal_c: Vec3
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@node(eq=False)
 class Mesh:
     """``mesh`` and ``mesh2``.
 
@@ -153,7 +153,7 @@ class Mesh:
     inside_vector: Vec3 | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class BicubicPatch:
     """``bicubic_patch { type T flatness F u_steps I v_steps I, 16 points }``."""
 
@@ -165,7 +165,7 @@ class BicubicPatch:
     uv_vectors: tuple[Vec2, Vec2, Vec2, Vec2] = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class BlobComponent:
     """A ``sphere`` (``end`` None) or ``cylinder`` of a blob, with its own transform and texture."""
 
@@ -177,7 +177,7 @@ class BlobComponent:
     texture: Texture | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Blob:
     """``blob { threshold F sphere {...} cylinder {...} }``."""
 
@@ -187,7 +187,7 @@ class Blob:
     hierarchy: bool = True
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@node(eq=False)
 class HeightField:
     """``height_field { ... }`` on the unit square.
 
@@ -199,7 +199,7 @@ class HeightField:
     smooth: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Isosurface:
     """``isosurface { function {...} contained_by {...} threshold F max_gradient F ... }``.
 
@@ -218,7 +218,7 @@ class Isosurface:
     polarity: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Parametric:
     """``parametric { function{}, function{}, function{} <u,v>, <u,v> contained_by {...} precompute D, x, y, z }``."""
 
@@ -231,7 +231,7 @@ class Parametric:
     precompute: tuple[int, bool, bool, bool] | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class JuliaFractal:
     """``julia_fractal { parameter quaternion sqr max_iteration I precision F slice V4, F }``."""
 
@@ -245,7 +245,7 @@ class JuliaFractal:
     slice_distance: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Lathe:
     """``lathe { spline n, points sturm }``: a curve in (radius, y) turned about the y axis."""
 
@@ -254,7 +254,7 @@ class Lathe:
     sturm: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Lemon:
     """3.8 ``lemon { base, radius, cap, radius, inner_radius }``."""
 
@@ -266,7 +266,7 @@ class Lemon:
     open: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Ovus:
     """``ovus { bottom_radius, top_radius }``; the rest is 3.8."""
 
@@ -277,7 +277,7 @@ class Ovus:
     precision: float = 1e-4
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Prism:
     """``prism { spline sweep height1, height2, n, points open }``; points are (x, z)."""
 
@@ -290,7 +290,7 @@ class Prism:
     sturm: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class SphereSweep:
     """``sphere_sweep { spline n, center, radius, ... tolerance F }``."""
 
@@ -299,7 +299,7 @@ class SphereSweep:
     tolerance: float = 1e-6
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Superellipsoid:
     """``superellipsoid { <e, n> }``."""
 
@@ -307,7 +307,7 @@ class Superellipsoid:
     n: float
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Sor:
     """``sor { n, points open sturm }``: a surface of revolution; points are (radius, height)."""
 
@@ -316,7 +316,7 @@ class Sor:
     sturm: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Text:
     """``text { ttf "font.ttf" "words" thickness, offset }``; ``font`` is the file's bytes."""
 

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from minipov.tracer.finish import Finish
 from minipov.tracer.image import ImageMapping
+from minipov.tracer.node import node, replace
 from minipov.tracer.normal import Normal
 from minipov.tracer.pattern import PLAIN, Pattern, PatternModifiers
 from minipov.tracer.pigment import Pigment
 from minipov.tracer.transform import Transform
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class PlainTexture:
     """One pigment, normal and finish."""
 
@@ -30,7 +30,7 @@ class PlainTexture:
         return PlainTexture(pigment, normal, self.finish)
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class LayeredTexture:
     """Textures on top of each other, the lowest first."""
 
@@ -41,21 +41,21 @@ class LayeredTexture:
         return LayeredTexture(tuple(layer.transformed(transform) for layer in self.layers))
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class TextureMap:
     """``texture_map { [F texture] ... }``; the numbers are weights under ``average``."""
 
     entries: tuple[tuple[float, Texture], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class TextureList:
     """The textures of a block pattern (and of ``tiles``), one per kind of block."""
 
     textures: tuple[Texture, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class PatternTexture:
     """A pattern chooses between or mixes whole textures."""
 
@@ -70,7 +70,7 @@ class PatternTexture:
         return replace(self, modifiers=self.modifiers.transformed(transform))
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class MaterialMap:
     """``material_map { ... }``: a picture's palette index chooses the texture."""
 

@@ -5,16 +5,16 @@ Points are row vectors: ``q = p * M + row 4``. Rotation is left-handed, in degre
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import cos, radians, sin
 from typing import TypeAlias
 
+from minipov.tracer.node import node
 from minipov.tracer.values import Vec3
 
 Matrix: TypeAlias = tuple[float, float, float, float, float, float, float, float, float, float, float, float]
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Transform:
     """An affine map: the twelve numbers of SDL's ``matrix``, row by row."""
 

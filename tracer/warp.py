@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from minipov.tracer.node import node
 from minipov.tracer.transform import Transform
 from minipov.tracer.values import Vec3
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Turbulence:
     """A displacement by fractal noise: ``turbulence amount octaves 6 omega 0.5 lambda 2``."""
 
@@ -19,7 +19,7 @@ class Turbulence:
     lambda_: float = 2.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class RepeatWarp:
     """``repeat V``: copies along one axis; ``flip`` mirrors every other copy along the axes that are not zero."""
 
@@ -29,7 +29,7 @@ class RepeatWarp:
     flip: tuple[bool, bool, bool] = (False, False, False)
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class BlackHoleWarp:
     """``black_hole centre, radius``: pulls towards (or, inverse, pushes from) a centre."""
 
@@ -42,7 +42,7 @@ class BlackHoleWarp:
     turbulence: Vec3 = (0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class CylindricalWarp:
     """``cylindrical``: wraps the unit square round the y axis."""
 
@@ -50,7 +50,7 @@ class CylindricalWarp:
     dist_exp: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class SphericalWarp:
     """``spherical``: wraps the unit square round the origin."""
 
@@ -58,7 +58,7 @@ class SphericalWarp:
     dist_exp: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class ToroidalWarp:
     """``toroidal``: wraps the unit square round a torus about the y axis."""
 
@@ -67,7 +67,7 @@ class ToroidalWarp:
     major_radius: float = 1.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class PlanarWarp:
     """``planar``: flattens space on a plane."""
 
@@ -75,7 +75,7 @@ class PlanarWarp:
     distance: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class CubicWarp:
     """``cubic``: the unfolding of the unit cube."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import fields, replace
+from dataclasses import fields
 from typing import Any, Final
 
 from minipov.interpreter.constructs.common import (
@@ -24,6 +24,7 @@ from minipov.interpreter.items import Block, Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.atmosphere import Fog, Rainbow, SkySphere
+from minipov.tracer.node import replace
 from minipov.tracer.pigment import ColorMap, Pigment
 from minipov.tracer.values import OPAQUE_BLACK, Vec3
 from minipov.tracer.warp import Turbulence

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Final
 
 from minipov.interpreter.constructs.common import unexpected
@@ -13,6 +13,7 @@ from minipov.interpreter.context import Context
 from minipov.interpreter.items import Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
+from minipov.tracer.node import replace
 from minipov.tracer.objects import Shape
 from minipov.tracer.shapes import Blob, BlobComponent
 from minipov.tracer.values import Vec3

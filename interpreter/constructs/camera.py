@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, Final
 
 from minipov.interpreter.constructs.camera_frame import Frame, difference, length
@@ -19,6 +19,7 @@ from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.camera import Camera, CameraKind, FocalBlur, MeshCamera, UserDefinedCamera
 from minipov.tracer.function import Function
+from minipov.tracer.node import replace
 from minipov.tracer.normal import Normal
 from minipov.tracer.objects import Object
 from minipov.tracer.shapes import Mesh

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Final
 
 from minipov.interpreter.constructs.common import expect_end, unexpected
@@ -17,6 +17,7 @@ from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer import shapes
 from minipov.tracer.lights import LightSource
+from minipov.tracer.node import replace
 from minipov.tracer.objects import Intersection, LightGroup, Merge, Object, Shape, Union
 
 PATCHES: Final = (

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Final
 
 from minipov.interpreter.constructs.common import unexpected
@@ -28,6 +27,7 @@ from minipov.interpreter.items import Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.interior import Density, DensityList, DensityMap
+from minipov.tracer.node import replace
 from minipov.tracer.pattern import Pattern
 from minipov.tracer.pigment import ColorMap
 

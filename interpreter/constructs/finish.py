@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from copy import copy
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields
 from typing import Any, Final
 
 from minipov.interpreter.constructs.common import (
@@ -23,6 +23,7 @@ from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.finish import Finish, Iridescence, Reflection, Subsurface
 from minipov.tracer.interior import Interior
+from minipov.tracer.node import node, replace
 from minipov.tracer.objects import Object
 from minipov.tracer.texture import LayeredTexture, PlainTexture, Texture
 from minipov.tracer.values import BLACK
@@ -32,7 +33,7 @@ CAUSTIC_SHARPNESS: Final = 45.0
 """How much sharper than by ``caustics`` of a finish light gathers by that of an interior (probed)."""
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class OldFinish(Finish):
     """A finish that also says what belongs in the interior, as scenes did before version 3.1."""
 

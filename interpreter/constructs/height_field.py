@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -15,6 +14,7 @@ from minipov.interpreter.context import Context
 from minipov.interpreter.items import FunctionImage
 from minipov.interpreter.reader import ItemReader
 from minipov.tracer.image import Image
+from minipov.tracer.node import replace
 from minipov.tracer.objects import Shape
 from minipov.tracer.shapes import HeightField
 from numpy.typing import NDArray

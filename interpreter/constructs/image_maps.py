@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any, Final
 
 from minipov.interpreter.constructs.common import Field, integer, number, read_fields, switch, unexpected
@@ -14,6 +13,7 @@ from minipov.interpreter.items import Block, FunctionImage, Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.image import Image, ImageMapping, ImagePurpose
+from minipov.tracer.node import replace
 from minipov.tracer.pattern import BumpMap, ImageMap, ImagePattern
 from minipov.tracer.settings import Gamma
 from minipov.tracer.texture import MaterialMap, Texture

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Final
 
 from minipov.interpreter.constructs.common import Field, number, read_fields, rgb, unexpected
@@ -12,6 +11,7 @@ from minipov.interpreter.items import Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.interior import Interior, Media
+from minipov.tracer.node import replace
 
 INTERIOR_FIELDS: Final[dict[str, Field]] = {
     "ior": number("ior"),

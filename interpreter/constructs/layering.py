@@ -6,10 +6,10 @@ a pigment when it becomes a layer, those of its maps too; what the pixels of an 
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Final
 
 from minipov.interpreter.context import current_context
+from minipov.tracer.node import replace
 from minipov.tracer.pigment import ColorMap, Pigment, PigmentBlend, PigmentList, PigmentMap
 from minipov.tracer.texture import LayeredTexture, PlainTexture
 from minipov.tracer.values import Rgbft

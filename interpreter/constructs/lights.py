@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any, Final
 
 from minipov.interpreter.constructs.common import (
@@ -23,6 +22,7 @@ from minipov.interpreter.items import Block, Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.lights import AreaLight, LightPhotons, LightSource
+from minipov.tracer.node import replace
 from minipov.tracer.objects import Object
 from minipov.tracer.transform import Transform
 from minipov.tracer.values import BLACK

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-
 from minipov.interpreter.constructs.common import unexpected
 from minipov.interpreter.constructs.texture import TEXTURE_TYPES, layered, read_texture
 from minipov.interpreter.constructs.transforms import TRANSFORM_WORDS, read_transform
@@ -12,11 +10,12 @@ from minipov.interpreter.items import Block, Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.interior import Interior
+from minipov.tracer.node import node, replace
 from minipov.tracer.texture import Texture
 from minipov.tracer.transform import Transform
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Material:
     """A texture, the texture of the inner side, and an interior; None where not said."""
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any, Final
 
 from minipov.interpreter.constructs.common import (
@@ -23,6 +22,7 @@ from minipov.interpreter.items import Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.interior import Density, Media, Scattering
+from minipov.tracer.node import replace
 
 MEDIA_FIELDS: Final[dict[str, Field]] = {
     "method": integer("method"),

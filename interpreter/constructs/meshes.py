@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -14,6 +13,7 @@ from minipov.interpreter.context import Context
 from minipov.interpreter.items import Block, Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
+from minipov.tracer.node import node, replace
 from minipov.tracer.objects import Shape
 from minipov.tracer.shapes import Mesh
 from minipov.tracer.texture import Texture
@@ -21,7 +21,7 @@ from minipov.tracer.values import Vec2, Vec3
 from numpy.typing import NDArray
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Facet:
     """A triangle of a mesh; one texture for all corners, or three, or none."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import fields, replace
+from dataclasses import fields
 from typing import Any, Final, get_args
 
 from minipov.interpreter.constructs.common import boolean, switch, unexpected
@@ -14,6 +14,7 @@ from minipov.interpreter.constructs.transforms import TRANSFORM_WORDS, read_tran
 from minipov.interpreter.context import Context
 from minipov.interpreter.reader import ItemReader
 from minipov.tracer.interior import Interior
+from minipov.tracer.node import replace
 from minipov.tracer.objects import Modifiers, Object, PhotonBehaviour, Shape
 from minipov.tracer.shapes import HeightField, Mesh
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import replace
 from typing import Final
 
 from minipov.interpreter.constructs.common import unexpected, unread
@@ -27,6 +26,7 @@ from minipov.interpreter.context import Context
 from minipov.interpreter.items import Sink, Unread
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
+from minipov.tracer.node import replace
 from minipov.tracer.normal import Normal, NormalList, NormalMap, SlopeMap
 from minipov.tracer.pattern import Pattern
 from minipov.tracer.texture import PlainTexture

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any, Final, TypeVar
 
 from minipov.interpreter.constructs.transforms import TRANSFORM_WORDS, read_transform
@@ -11,6 +10,7 @@ from minipov.interpreter.constructs.warps import TURBULENCE_FIELDS, WARP_TYPES
 from minipov.interpreter.context import Context
 from minipov.interpreter.reader import ItemReader
 from minipov.tracer.interior import Density
+from minipov.tracer.node import replace
 from minipov.tracer.normal import Normal
 from minipov.tracer.pattern import (
     Agate,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import replace
 from typing import Final
 
 from minipov.interpreter.constructs.common import unexpected, unread
@@ -29,6 +28,7 @@ from minipov.interpreter.items import Sink, Unread
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.function import Function
+from minipov.tracer.node import replace
 from minipov.tracer.pattern import ImageMap, Pattern, PigmentPattern
 from minipov.tracer.pigment import ColorMap, Pigment, PigmentList, PigmentMap, UserDefinedPigment
 from minipov.tracer.texture import PlainTexture

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Final
 
 from minipov.interpreter.constructs.camera import plain_camera
 from minipov.interpreter.constructs.gamma import GAMMA_VERSION, working_gamma
 from minipov.interpreter.context import Context
+from minipov.tracer.node import replace
 from minipov.tracer.scene import Scene
 from minipov.tracer.values import Rgbft
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any, Final
 
 from minipov.interpreter.constructs.common import Field, count, integer, number, read_fields, rgb, text, unexpected
@@ -12,6 +11,7 @@ from minipov.interpreter.errors import Place
 from minipov.interpreter.items import Block, Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
+from minipov.tracer.node import replace
 from minipov.tracer.settings import GlobalSettings, Photons, Radiosity, SubsurfaceSettings
 
 LARGEST_TRACE_LEVEL: Final = 256

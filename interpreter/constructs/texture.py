@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import replace
 from typing import Final
 
 from minipov.interpreter.constructs.common import unexpected
@@ -31,6 +30,7 @@ from minipov.interpreter.items import Sink, Unread
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
 from minipov.tracer.finish import Finish
+from minipov.tracer.node import replace
 from minipov.tracer.normal import Normal
 from minipov.tracer.pattern import PLAIN, Pattern, SimplePattern
 from minipov.tracer.pigment import Pigment

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from minipov.interpreter.context import Context
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import Block, Item, complete
@@ -13,6 +11,7 @@ from minipov.tracer.atmosphere import Fog, Rainbow, SkySphere
 from minipov.tracer.camera import Camera
 from minipov.tracer.interior import Media
 from minipov.tracer.lights import LightSource
+from minipov.tracer.node import replace
 from minipov.tracer.objects import Object
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 from minipov.interpreter.arrays import Array
@@ -10,6 +9,7 @@ from minipov.interpreter.constructs.csg import has_inside
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.runtime.signature import builtin
 from minipov.interpreter.values import Vector, kind_of, vector3
+from minipov.tracer.node import replace
 from minipov.tracer.objects import Intersection, Merge, Object, Union
 from minipov.tracer.pattern import ImageMap
 from minipov.tracer.pigment import Pigment

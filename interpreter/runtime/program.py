@@ -120,7 +120,7 @@ class Running:
         """``#max_trace_level``, ``#max_intersections``."""
         self.obsolete(f"#{name}", "global_settings")
         if name == "max_trace_level":
-            from dataclasses import replace
+            from minipov.tracer.node import replace
 
             settings = self.context.scene.settings
             self.context.scene.settings = replace(settings, max_trace_level=int(value))

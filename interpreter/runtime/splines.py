@@ -6,7 +6,6 @@ directions.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import lru_cache
 from typing import Any, Final
 
@@ -18,6 +17,7 @@ from minipov.interpreter.registry import construct
 from minipov.interpreter.values import Number, Vector
 from minipov.tracer import _core
 from minipov.tracer.function import Spline, SplineFunction
+from minipov.tracer.node import replace
 
 KINDS: Final = ("linear_spline", "quadratic_spline", "cubic_spline", "natural_spline")
 Five = tuple[float, float, float, float, float]
