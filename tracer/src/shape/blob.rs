@@ -193,12 +193,22 @@ impl Blob {
         shares.filter(|&(_, share)| share > 0.0).collect()
     }
 
-    /// The ends of all intervals along the ray, in order.
-    fn events(&self, ray: &Ray, start: f64, limit: f64, counters: &mut Counters) -> Vec<Event> {
-        let mut events: Vec<Event> = Vec::new();
-        let moved = Ray { origin: ray.at(start), direction: ray.direction };
-        self.tree.along(&Query::new(*ray), limit, counters, |item, limit, _| {
+    /// Where the ray first enters an element, and the ends of all intervals from there, in order.
+    fn events(&self, ray: &Ray, counters: &mut Counters) -> (f64, Vec<Event>) {
+        let mut hit: Vec<&Element> = Vec::new();
+        let mut start = f64::INFINITY;
+        self.tree.along(&Query::new(*ray), f64::INFINITY, counters, |item, limit, _| {
             let element = &self.elements[item as usize];
+            if let Some(([low, _], _)) = element.interval(ray) {
+                start = start.min(low);
+                hit.push(element);
+            }
+            limit
+        });
+        // Counted from there, for precision.
+        let moved = Ray { origin: ray.at(start), direction: ray.direction };
+        let mut events: Vec<Event> = Vec::with_capacity(2 * hit.len());
+        for element in hit {
             if let Some(([low, high], [c, b, a])) = element.interval(&moved) {
                 // strength (1 - (c + 2 b t + a t²) / r²)²
                 let r = element.radius * element.radius;
@@ -209,10 +219,9 @@ impl Blob {
                 events.push(Event { t: low, change: quartic, step: 1 });
                 events.push(Event { t: high, change: quartic.map(|c| -c), step: -1 });
             }
-            limit
-        });
+        }
         events.sort_unstable_by(|a, b| a.t.total_cmp(&b.t));
-        events
+        (start, events)
     }
 }
 
@@ -230,10 +239,7 @@ impl Primitive for Blob {
         offer: &mut impl FnMut(Crossing, f64) -> f64,
     ) -> f64 {
         let from = from.max(NEAREST / ray.direction.length());
-        // Count from near the blob, for precision.
-        let middle = (self.bounds.min + self.bounds.max) / 2.0;
-        let start = (middle - ray.origin).dot(ray.direction) / ray.direction.length_squared();
-        let events = self.events(ray, start, f64::INFINITY, counters);
+        let (start, events) = self.events(ray, counters);
         let mut sum = [-self.threshold, 0.0, 0.0, 0.0, 0.0];
         let mut active = 0;
         for (i, event) in events.iter().enumerate() {
