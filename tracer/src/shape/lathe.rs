@@ -11,6 +11,9 @@ use crate::math::{vec3, Bounds, Ray, Vec3};
 /// Nearer crossings are not seen, as in POV-Ray; in the lathe's own measure.
 const NEAREST: f64 = 1e-4;
 
+/// A ray whose squared slope against the axis is smaller is as good as along it.
+const PARALLEL: f64 = 1e-20;
+
 /// A turned curve. A crossing's part is the number of the piece of the curve, `u` the place on it.
 #[derive(Clone, Debug)]
 pub struct Lathe {
@@ -62,7 +65,7 @@ impl Primitive for Lathe {
         let from = from.max(NEAREST / scale);
         // Start near the axis, for precision.
         let across = d.x * d.x + d.z * d.z;
-        let start = if across > 0.0 {
+        let start = if across > PARALLEL {
             -(ray.origin.x * d.x + ray.origin.z * d.z) / across
         } else {
             -ray.origin.y * d.y
