@@ -3,10 +3,9 @@
 use super::{Interiors, Path, Tracer};
 use crate::accel::RayKind;
 use crate::color::Rgb;
-use crate::geometry::{Answer, Hit};
+use crate::geometry::Answer;
 use crate::light::{Arrival, Light};
 use crate::math::{Ray, Vec3};
-use crate::shape::Crossing;
 
 /// Occluders nearer than this to the point or the lamp throw no shadow.
 const TOLERANCE: f64 = 1e-3;
@@ -94,38 +93,35 @@ impl Tracer<'_> {
                 return (Rgb::BLACK, None);
             }
         }
-        let mut crossed = std::mem::take(&mut self.crossed);
-        crossed.clear();
+        let mut meets_some = false;
         let blocked =
             scene.geometry.any(&ray, TOLERANCE, limit, RayKind::Shadow, &mut self.counters, |hit| {
                 if opaque(hit.node) {
                     *last = Some(hit.object);
                     Answer::Stop
                 } else {
-                    crossed.push(*hit);
+                    meets_some = true;
                     Answer::Continue
                 }
             });
-        let seen = if blocked {
+        if blocked {
             (Rgb::BLACK, None)
-        } else if crossed.is_empty() && !scene.is_murky(place.interiors, light) {
-            (arrival.color, None)
+        } else if meets_some || scene.is_murky(place.interiors, light) {
+            self.filtered(number, light, place, arrival)
         } else {
-            crossed.sort_unstable_by(Hit::order);
-            self.filtered(number, light, place, arrival, &crossed)
-        };
-        self.crossed = crossed;
-        seen
+            (arrival.color, None)
+        }
     }
 
     /// Light filtered by the transparent surfaces that it crosses and the media between, from the point to the lamp.
+    ///
+    /// Behind each surface the way to the lamp is looked at anew, for objects that show a ray only their first surface.
     fn filtered(
         &mut self,
         number: u32,
         light: &Light,
         place: &Place,
         arrival: &Arrival,
-        crossed: &[Hit],
     ) -> (Rgb, Option<LastPart>) {
         let mut path = Path {
             ray: Ray { origin: place.point, direction: arrival.direction },
@@ -134,30 +130,27 @@ impl Tracer<'_> {
             band: None,
         };
         let mut color = arrival.color;
-        // How far the light has been followed.
-        let mut done = 0.0;
-        for hit in crossed {
-            if hit.crossing.t <= done + TOLERANCE {
-                continue;
-            }
-            let distance = hit.crossing.t - done;
+        let mut left = arrival.distance - TOLERANCE;
+        while let Some(hit) =
+            self.scene.geometry.nearest(&path.ray, TOLERANCE, left, RayKind::Shadow, &mut self.counters)
+        {
+            let distance = hit.crossing.t;
             if self.scene.is_murky(&path.interiors, light) {
                 color = color.mul_each(self.media_filter(&path, distance, light));
             }
             if color.max_element() <= 0.0 || self.photons_pass(number, hit.node, place) {
                 return (Rgb::BLACK, None);
             }
-            let here = Hit { crossing: Crossing { t: distance, ..hit.crossing }, ..*hit };
-            color = color.mul_each(self.surface_filter(&path, &here));
+            color = color.mul_each(self.surface_filter(&path, &hit));
             path.ray.origin = path.ray.at(distance);
-            done = hit.crossing.t;
+            left -= distance;
             let interior = self.scene.body_of(hit.node);
             if !path.interiors.leave(interior) {
                 path.interiors.enter(interior);
             }
         }
         // Of the last part, up to a lamp in a medium, POV-Ray counts only the air.
-        let last = LastPart { path, distance: arrival.distance - TOLERANCE - done };
+        let last = LastPart { path, distance: left };
         (color, self.scene.air_dims(light).then_some(last))
     }
 }

@@ -10,8 +10,8 @@ use crate::graph;
 use crate::math::polynomial::{quadratic, roots_within};
 use crate::math::{vec3, Bounds, Ray, Transform, Vec3};
 
-/// Nearer crossings are not seen.
-const NEAREST: f64 = 1e-4;
+/// Nearer crossings are not seen, in the blob's own measure: small blobs throw no shadows on themselves.
+const NEAREST: f64 = 0.01;
 
 /// Which points an element concerns.
 #[derive(Clone, Copy, Debug, PartialEq)]

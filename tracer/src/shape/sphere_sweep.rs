@@ -151,6 +151,8 @@ impl Piece {
                 try_at(low);
                 try_at(high);
                 roots_within::<12>(still, low, high).iter().for_each(|&s| try_at(s));
+                // Across the sweep b' is nearly 0, and the two roots there are too close to be told apart.
+                roots_within::<7>(slope, low, high).iter().for_each(|&s| try_at(s));
                 found(span);
             }
             low = high;
