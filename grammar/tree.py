@@ -8,6 +8,7 @@ The value of ``#declare X = ...`` is not part of the `Declare` node: it is the i
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
@@ -254,6 +255,12 @@ class BulkVectors(Node):
 
     values: NDArray[np.float64]
     trailing_comma: bool
+
+    def vectors(self) -> Iterator[Vector]:
+        """Each vector as an item of its own."""
+        for row in self.values.tolist():
+            terms = (Number(self.line, self.column, value) for value in row)
+            yield Vector(self.line, self.column, tuple(terms))
 
 
 # --- directives ---

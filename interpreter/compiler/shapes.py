@@ -130,7 +130,7 @@ def value_extent(items: Sequence[tree.Item], start: int) -> int | None:
             return None
         return start + 1
     if not isinstance(first, tree.Keyword):
-        return start + 1 if isinstance(first, tree.BulkVectors) else None
+        return None
     if first.name in COLOR_WORDS:
         return _color_extent(items, start)
     if first.name == "array":
@@ -186,6 +186,12 @@ def argument_groups(items: Sequence[tree.Item]) -> list[Sequence[tree.Item]] | N
     at = 0
     after_comma = True
     while at < len(items):
+        bulk = items[at]
+        if isinstance(bulk, tree.BulkVectors):
+            groups.extend((vector,) for vector in bulk.vectors())
+            after_comma = bulk.trailing_comma
+            at += 1
+            continue
         if is_comma(items[at]):
             if after_comma:
                 groups.append(())

@@ -118,19 +118,25 @@ def _modified(reader: ItemReader, context: Context, pigment: Pigment) -> Pigment
 
 
 def _block_list(reader: ItemReader, context: Context, pattern: Pattern) -> PigmentList | None:
-    """The colours or pigments of a block pattern; those not given are the pattern's own."""
+    """The colours or pigments of a block pattern; colours not given are the pattern's own, pigments the default one."""
+    by_color = _is_color(reader)
     given = block_items(reader, block_count(pattern), lambda: _block_item(reader, context))
     if not given:
         return None
     rest = DEFAULT_BLOCK_COLORS[pattern_word(pattern)][len(given) :]
-    return PigmentList((*given, *(Pigment((*rgb, 0.0, 0.0)) for rgb in rest)))
+    others = (Pigment((*rgb, 0.0, 0.0)) if by_color else default_pigment(context) for rgb in rest)
+    return PigmentList((*given, *others))
+
+
+def _is_color(reader: ItemReader) -> bool:
+    return reader.is_color() or reader.is_number()
 
 
 def _block_item(reader: ItemReader, context: Context) -> Pigment | None:
     inner = unread(reader, "pigment")
     if inner is not None:
         return read_pigment(inner, context, default_pigment(context))
-    if reader.is_color() or reader.is_number():
+    if _is_color(reader):
         return Pigment(reader.color())
     return reader.node(Pigment)
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from typing import Any, NoReturn
 
+import numpy as np
 from minipov.interpreter.arrays import Array, Dictionary, subscript
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import COMMA, Item, Sink, Word, complete
@@ -67,7 +68,13 @@ def holds(symbol: Symbol, indices: tuple[Any, ...]) -> bool:
 
 
 def _single_values(items: Sequence[Item]) -> list[Any]:
-    return [item for item in items if item is not COMMA]
+    values: list[Any] = []
+    for item in items:
+        if isinstance(item, np.ndarray):  # a long run of literal vectors
+            values += map(Vector, item.tolist())
+        elif item is not COMMA:
+            values.append(item)
+    return values
 
 
 def call_gathered(callee: Any, way: str, sink: Sink, place: Place) -> Any:

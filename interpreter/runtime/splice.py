@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any, Final
 
+import numpy as np
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.items import Punctuation, Word
 from minipov.interpreter.runtime.operators import divide, negate, not_
@@ -108,6 +109,8 @@ def joined(operands: Iterable[Any]) -> list[Any]:
 
 
 def _tokens(operand: Any) -> list[Any]:
+    if isinstance(operand, np.ndarray):  # a long run of literal vectors
+        return [Vector(row) for row in operand.tolist()]
     return operand.tokens if operand.__class__ is Spliced else [operand]
 
 
