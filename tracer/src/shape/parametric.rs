@@ -1,8 +1,9 @@
 //! SDL: `parametric { function { cos(u) } function { v } function { sin(u) } <0, 0>, <6.28, 1> contained_by {...} }`.
 //!
 //! The rectangle of u and v is halved and halved again, as long as the ray meets the box that, by `max_gradient`, holds
-//! a piece of the surface, until the piece or its box is smaller than `accuracy`. As in POV-Ray the hit is where the ray
-//! enters that box across z, and the whole surface stands one accuracy too low on every axis. It has no inside.
+//! a piece of the surface (and in any case its corners), until the piece or its box is smaller than `accuracy`. As in
+//! POV-Ray the hit is where the ray enters that box across z, and the whole surface stands one accuracy too low on every
+//! axis. It has no inside.
 
 use super::container::Container;
 use super::{Crossing, Primitive};
@@ -121,9 +122,11 @@ impl Parametric {
     fn computed_reach(&self, axis: usize, piece: &Piece) -> Reach {
         let f = |u: f64, v: f64| self.functions[axis].value(&[u, v]);
         let ([u0, v0], [u1, v1]) = (piece.low, piece.high);
-        let middle = (f(u0, v0) + f(u0, v1) + f(u1, v0) + f(u1, v1)) / 4.0 - self.accuracy;
+        let corners = [f(u0, v0), f(u0, v1), f(u1, v0), f(u1, v1)].map(|value| value - self.accuracy);
+        let middle = corners.iter().sum::<f64>() / 4.0;
         let rise = self.max_gradient * ((u1 - u0) + (v1 - v0)) / 2.0;
-        Reach { low: middle - rise, high: middle + rise }
+        let reach = Reach { low: middle - rise, high: middle + rise };
+        corners.into_iter().fold(reach, |r, value| Reach { low: r.low.min(value), high: r.high.max(value) })
     }
 
     #[inline]
