@@ -89,6 +89,7 @@ FEATURES: dict[str, list[Row]] = {
         ("`union`, `merge`, `intersection`, `difference`, nested", "csg_*"),
         ("`inverse`", "csg_inverse"),
         ("`split_union`", "csg_split_union*"),
+        ("surfaces in one place: which is seen", "coincident_faces"),
         ("`cutaway_textures`", "cutaway_textures"),
         ("`clipped_by`, `bounded_by`", "clipped_by bounded_by"),
         ("`no_shadow`, `no_image`, `no_reflection`, `double_illuminate`",

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::{Geometry, Node, NodeId, Solid};
 use crate::accel::{Counters, Query, RayKind};
-use crate::math::{Ray, Vec3};
+use crate::math::{Bounds, Ray, Vec3};
 use crate::shape::{Crossing, Primitive};
 
 /// Where a ray meets an object.
@@ -28,8 +28,8 @@ pub enum Answer {
 }
 
 impl Geometry {
-    /// The first hit with `from < t <= limit`. Where two surfaces coincide exactly, the
-    /// first object in the file wins, within a CSG the last child.
+    /// The first hit with `from < t <= limit`. Where surfaces coincide exactly, the object whose box the ray enters first
+    /// wins, else the first in the file; within a CSG the last child.
     pub fn nearest(
         &self,
         ray: &Ray,
@@ -40,13 +40,28 @@ impl Geometry {
     ) -> Option<Hit> {
         let mut best: Option<Hit> = None;
         self.offer_all(ray, from, limit, kind, counters, &mut |hit, limit| match best {
-            Some(b) if hit.crossing.t == b.crossing.t && !wins_tie(&hit, &b) => limit,
+            Some(b) if hit.crossing.t == b.crossing.t && !self.is_seen_first(ray, &hit, &b) => limit,
             _ => {
                 best = Some(hit);
                 hit.crossing.t
             }
         });
         best
+    }
+
+    /// Which of two hits at the same point is seen. POV-Ray asks objects in the order in which the ray enters their
+    /// boxes; for boxes that share a side this hangs on the rounding of single precision, and the surfaces look speckled.
+    #[cold]
+    fn is_seen_first(&self, ray: &Ray, challenger: &Hit, holder: &Hit) -> bool {
+        if challenger.object == holder.object || self.finite.len() + self.infinite.len() < BOXED {
+            return wins_tie(challenger, holder);
+        }
+        let entry = |hit: &Hit| coarse_entry(&self.nodes[hit.object as usize].extent.surface, ray);
+        match entry(challenger).total_cmp(&entry(holder)) {
+            Ordering::Less => true,
+            Ordering::Greater => false,
+            Ordering::Equal => wins_tie(challenger, holder),
+        }
     }
 
     /// The first hit of one object at the top with `from < t`.
@@ -226,6 +241,29 @@ impl Hit {
         };
         self.crossing.t.total_cmp(&other.crossing.t).then_with(tie)
     }
+}
+
+/// Fewer objects than this POV-Ray asks one after the other.
+const BOXED: usize = 3;
+
+/// Where a ray's line enters a box that is kept as a corner and lengths, reckoned in single precision but for one sum.
+fn coarse_entry(bounds: &Bounds, ray: &Ray) -> f64 {
+    if !bounds.is_finite() {
+        return f64::NEG_INFINITY;
+    }
+    let mut entry = f64::NEG_INFINITY;
+    for axis in 0..3 {
+        let direction = ray.direction[axis];
+        if direction == 0.0 {
+            continue;
+        }
+        let inverse = (1.0 / direction) as f32;
+        let low = (bounds.min[axis] as f32 - ray.origin[axis] as f32) * inverse;
+        let length = (bounds.max[axis] - bounds.min[axis]) as f32 * inverse;
+        let near = if inverse > 0.0 { f64::from(low) } else { f64::from(low) + f64::from(length) };
+        entry = entry.max(near);
+    }
+    entry
 }
 
 /// Which of two hits at the same point is seen: of two objects the first in the file, in a CSG the last.
