@@ -26,16 +26,16 @@ def read_color(reader: ItemReader) -> Rgbft:
     """
     reader.comma()
     prefixed = reader.word("color", "colour") is not None
-    model = reader.word(*_MODELS)
+    model = reader.word_of(_MODELS)
     color = [0.0] * 5
     if model is not None:
         color = _modelled(reader, model)
-    elif not reader.next_is(*_COMPONENTS):
+    elif not reader.next_is_of(_COMPONENTS):
         given = reader.terms("a colour", 5)
         color = list(widened(given, 5))
         if not prefixed and len(given) < 5:
             return _five(color)
-    while (word := reader.word(*_COMPONENTS)) is not None:
+    while (word := reader.word_of(_COMPONENTS)) is not None:
         color[_COMPONENTS[word]] = reader.float()
     return _five(color)
 

@@ -8,11 +8,11 @@ its items (`reader.ItemReader`) and yields one value, pushed into the sink above
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from copy import copy
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from minipov.interpreter.errors import NOWHERE, Place
+from minipov.tracer.node import node
 
 if TYPE_CHECKING:
     from minipov.interpreter.reader import ItemReader
@@ -45,7 +45,7 @@ COMMA: Final = Punctuation(",")
 SEMICOLON: Final = Punctuation(";")
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Block:
     """A block whose value needs its name to be understood (``interior_texture {...}``, ``vertex_vectors {...}``).
 
@@ -56,7 +56,7 @@ class Block:
     value: Any
 
 
-@dataclass(frozen=True, slots=True)
+@node
 class Unread:
     """A block whose meaning depends on what it stands in, not read yet: ``finish {...}`` changes the finish of the
     texture or object around it. A declaration, an array element or a macro argument takes ``complete(item)`` instead.
@@ -69,7 +69,7 @@ class Unread:
 
 def complete(item: Item) -> Item:
     """The item as a value by itself: an `Unread` block is read on top of the current defaults."""
-    return item.alone(copy(item.reader)) if isinstance(item, Unread) else item
+    return item.alone(item.reader.again()) if isinstance(item, Unread) else item
 
 
 @dataclass(frozen=True, slots=True)

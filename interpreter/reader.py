@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from typing import Any, Final, NoReturn, TypeAlias, TypeVar
 
 from minipov.interpreter.colors import COLOR_WORDS, read_color
 from minipov.interpreter.context import current_context
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import COMMA, Block, Item, Punctuation, Unread, Word
-from minipov.interpreter.values import Vector, kind_of
+from minipov.interpreter.values import Vector, kind_of, widened
 from minipov.tracer.values import Rgb, Rgbft, Vec2, Vec3, Vec4
 
 T = TypeVar("T")
@@ -33,7 +33,8 @@ class ItemReader:
         self._at = start
         self._end = len(items)
 
-    def __copy__(self) -> ItemReader:
+    def again(self) -> ItemReader:
+        """A reader of the same items from where this one stands."""
         return ItemReader(self.name, self._items, self._places, self._end_place, self._at)
 
     # --- looking ---
@@ -54,8 +55,12 @@ class ItemReader:
 
     def next_is(self, *words: str) -> bool:
         """Whether the next item is one of these keywords."""
-        item = self.peek()
-        return isinstance(item, Word) and item.name in words
+        return self.next_is_of(words)
+
+    def next_is_of(self, words: Container[str]) -> bool:
+        """Whether the next item is a keyword of this table."""
+        item = self._items[self._at] if self._at < self._end else None
+        return item.__class__ is Word and item.name in words
 
     # --- taking ---
 
@@ -76,6 +81,15 @@ class ItemReader:
         """The next item if it is one of these keywords (any keyword, if none are given), else None."""
         item = self._items[self._at] if self._at < self._end else None
         if item.__class__ is Word and (not words or item.name in words):
+            self._at += 1
+            name: str = item.name
+            return name
+        return None
+
+    def word_of(self, words: Container[str]) -> str | None:
+        """The next item if it is a keyword of this table, else None."""
+        item = self._items[self._at] if self._at < self._end else None
+        if item.__class__ is Word and item.name in words:
             self._at += 1
             name: str = item.name
             return name
@@ -110,16 +124,17 @@ class ItemReader:
 
     def terms(self, what: str, most: int) -> Terms:
         """A float (one term) or vector of at most ``most`` terms, with an optional comma before it."""
-        self.comma()
-        item = self.peek()
+        items, at = self._items, self._at
+        item = items[at] if at < self._end else None
+        if item is COMMA:
+            self._at = at = at + 1
+            item = items[at] if at < self._end else None
+        if item.__class__ is Vector and len(item) <= most:
+            self._at = at + 1
+            return item[:]  # a tuple, in which no operators are left
         if isinstance(item, float):
-            self._at += 1
+            self._at = at + 1
             return (item,)
-        if isinstance(item, Vector):
-            if len(item) > most:
-                self.fail(what)
-            self._at += 1
-            return tuple(item)
         self.fail(what)
 
     def rows(self, most: int, size: int) -> list[Terms]:
@@ -154,6 +169,10 @@ class ItemReader:
 
     def float(self) -> float:
         """A float."""
+        item = self._items[self._at] if self._at < self._end else None
+        if item.__class__ is float:
+            self._at += 1
+            return item  # type: ignore[no-any-return]  # a float, as just seen
         return self.terms("a number", 1)[0]
 
     def integer(self) -> int:
@@ -176,22 +195,19 @@ class ItemReader:
 
     def vector2(self) -> Vec2:
         """Two terms; a float is copied."""
-        a, b = self._promoted("a 2-dimensional vector", 2)
+        a, b = widened(self.terms("a 2-dimensional vector", 2), 2)
         return (a, b)
 
     def vector(self) -> Vec3:
         """Three terms; a float is copied, a shorter vector padded with zeros."""
-        a, b, c = self._promoted("a vector", 3)
+        terms = self.terms("a vector", 3)
+        a, b, c = terms if len(terms) == 3 else widened(terms, 3)
         return (a, b, c)
 
     def vector4(self) -> Vec4:
         """Four terms."""
-        a, b, c, d = self._promoted("a 4-dimensional vector", 4)
+        a, b, c, d = widened(self.terms("a 4-dimensional vector", 4), 4)
         return (a, b, c, d)
-
-    def _promoted(self, what: str, size: int) -> Terms:
-        terms = self.terms(what, size)
-        return terms * size if len(terms) == 1 else terms + (0.0,) * (size - len(terms))
 
     def string(self) -> str:
         """A string, after an optional comma."""
@@ -204,7 +220,9 @@ class ItemReader:
     def is_color(self) -> bool:
         """Whether a colour expression starts here (not counting bare floats and vectors)."""
         item = self.peek()
-        return (isinstance(item, Word) and item.name in COLOR_WORDS) or (isinstance(item, Vector) and len(item) == 5)
+        if item.__class__ is Word:
+            return item.name in COLOR_WORDS
+        return item.__class__ is Vector and len(item) == 5
 
     def color(self) -> Rgbft:
         """A colour: ``[color] rgb V``, a value, and any of ``red F`` ... ``transmit F`` after it."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final
 
 from minipov.interpreter.constructs.common import unexpected
@@ -13,20 +12,13 @@ from minipov.interpreter.context import Context
 from minipov.interpreter.items import Sink
 from minipov.interpreter.reader import ItemReader
 from minipov.interpreter.registry import construct
-from minipov.tracer.node import replace
 from minipov.tracer.objects import Shape
 from minipov.tracer.shapes import Blob, BlobComponent
+from minipov.tracer.texture import Texture
+from minipov.tracer.transform import IDENTITY
 from minipov.tracer.values import Vec3
 
 COMPONENT_ACCEPTS: Final = ("strength", "texture", "pigment", "normal", "finish", *TRANSFORM_WORDS)
-
-
-@dataclass(frozen=True, slots=True)
-class _Ends:
-    """Where a component lies."""
-
-    center: Vec3
-    end: Vec3 | None
 
 
 @shape(
@@ -64,7 +56,7 @@ def blob(reader: ItemReader, context: Context) -> Shape:
     accepts=COMPONENT_ACCEPTS,
 )
 def blob_sphere(reader: ItemReader, context: Context, sink: Sink) -> BlobComponent:
-    return _component(reader, context, _Ends(reader.vector(), None))
+    return _component(reader, context, reader.vector(), None)
 
 
 @construct(
@@ -75,26 +67,27 @@ def blob_sphere(reader: ItemReader, context: Context, sink: Sink) -> BlobCompone
     accepts=COMPONENT_ACCEPTS,
 )
 def blob_cylinder(reader: ItemReader, context: Context, sink: Sink) -> BlobComponent:
-    return _component(reader, context, _Ends(reader.vector(), reader.vector()))
+    return _component(reader, context, reader.vector(), reader.vector())
 
 
-def _component(reader: ItemReader, context: Context, ends: _Ends) -> BlobComponent:
+def _component(reader: ItemReader, context: Context, center: Vec3, end: Vec3 | None) -> BlobComponent:
     radius = reader.float()
     reader.comma()
     reader.word("strength")
-    part = BlobComponent(ends.center, radius, reader.float(), ends.end)
+    strength = reader.float()
+    total = IDENTITY
+    texture: Texture | None = None
     while not reader.at_end:
         transform = read_transform(reader, context)
         if transform is not None:
-            moved = part.texture and part.texture.transformed(transform)
-            part = replace(part, transform=part.transform.then(transform), texture=moved)
+            total = total.then(transform)
+            texture = texture and texture.transformed(transform)
             continue
-        texture = reader.node(TEXTURE_TYPES)
-        if texture is not None:
-            part = replace(part, texture=layered(part.texture, texture, reader))
+        layer = reader.node(TEXTURE_TYPES)
+        if layer is not None:
+            texture = layered(texture, layer, reader)
             continue
-        changed = modified_texture(reader, context, part.texture)
-        if changed is None:
+        texture = modified_texture(reader, context, texture)
+        if texture is None:
             unexpected(reader, COMPONENT_ACCEPTS)
-        part = replace(part, texture=changed)
-    return part
+    return BlobComponent(center, radius, strength, end, total, texture)

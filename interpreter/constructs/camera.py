@@ -116,7 +116,7 @@ def _start(context: Context) -> Frame:
 
 
 def _read_kind(reader: ItemReader, frame: Frame, said: _Said) -> None:
-    word = reader.word(*KINDS)
+    word = reader.word_of(KINDS)
     if word is not None:
         frame.kind = KINDS[word]
         _read_kind(reader, frame, said)
@@ -135,7 +135,7 @@ def _read_kind(reader: ItemReader, frame: Frame, said: _Said) -> None:
 
 def _read_vector(reader: ItemReader, context: Context, frame: Frame, said: _Said) -> bool:
     """One of the keywords that act on the frame."""
-    word = reader.word(*VECTORS)
+    word = reader.word_of(VECTORS)
     if word is None:
         return False
     if word == "angle":

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from copy import copy
 from difflib import get_close_matches
 from typing import Any, NoReturn, TypeAlias
 
@@ -80,7 +79,7 @@ def one_or_two_integers(field: str, second: Callable[[int], int]) -> Field:
 
 def read_fields(reader: ItemReader, table: Mapping[str, Field]) -> dict[str, Any] | None:
     """The fields that the next keyword sets, or None where the next item is no keyword of ``table``."""
-    word = reader.word(*table)
+    word = reader.word_of(table)
     return None if word is None else table[word](reader)
 
 
@@ -100,7 +99,7 @@ def unread(reader: ItemReader, name: str) -> ItemReader | None:
     item = reader.peek()
     if isinstance(item, Unread) and item.name == name:
         reader.take()
-        return copy(item.reader)
+        return item.reader.again()
     return None
 
 

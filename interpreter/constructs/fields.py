@@ -164,7 +164,7 @@ def julia_fractal(reader: ItemReader, context: Context) -> Shape:
         if fields is not None:
             said.update(fields)
             continue
-        word = reader.word(*JULIA_FUNCTIONS)
+        word = reader.word_of(JULIA_FUNCTIONS)
         if word is None:
             break
         said["function"] = word

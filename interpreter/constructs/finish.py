@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from copy import copy
+from collections.abc import Sequence
 from dataclasses import fields
 from typing import Any, Final
 
@@ -88,11 +87,7 @@ REFLECTION_FIELDS: Final[dict[str, Field]] = {
 
 def read_finish(reader: ItemReader, context: Context, base: Finish) -> Finish:
     """``base`` with what a finish block says."""
-    reader = copy(reader)
-    finish = base
-    if not reader.at_end:
-        named = reader.node(Finish)
-        finish = named or base
+    finish = reader.node(Finish) or base
     changes: dict[str, Any] = {}
     old: dict[str, Any] = {}
     reflection = finish.reflection
@@ -140,19 +135,17 @@ def _old_style(finish: Finish, said: dict[str, Any]) -> OldFinish:
 
 def with_old_interior(thing: Object) -> Object:
     """The object with the interior that its finishes describe, where it has none of its own."""
-    if thing.interior is None:
+    if thing.interior is None and thing.texture is not None:
         for finish in _finishes(thing.texture):
             if isinstance(finish, OldFinish):
                 return replace(thing, interior=finish.interior)
     return thing
 
 
-def _finishes(texture: Texture | None) -> Iterator[Finish]:
+def _finishes(texture: Texture) -> Sequence[Finish]:
     if isinstance(texture, PlainTexture):
-        yield texture.finish
-    elif isinstance(texture, LayeredTexture):
-        for layer in texture.layers:
-            yield layer.finish
+        return (texture.finish,)
+    return [layer.finish for layer in texture.layers] if isinstance(texture, LayeredTexture) else ()
 
 
 @construct(

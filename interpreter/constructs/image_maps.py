@@ -47,7 +47,7 @@ def read_image(reader: ItemReader, context: Context, purpose: ImagePurpose) -> I
     source = reader.node(FunctionImage)
     if source is not None:
         return sampled(source)
-    kind = reader.word(*IMAGE_TYPES) or ""
+    kind = reader.word_of(IMAGE_TYPES) or ""
     path = find(reader, context, kind)
     gamma: Gamma = None
     while True:

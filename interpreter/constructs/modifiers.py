@@ -86,7 +86,7 @@ def _modified(reader: ItemReader, context: Context, thing: Object) -> Object | N
     if modifiers is not None:
         return replace(thing, modifiers=modifiers)
     own = shape_switches(thing.shape)
-    word = reader.word(*own) if own else None
+    word = reader.word_of(own) if own else None
     if word is not None:
         value = SHAPE_SWITCHES[word](reader)
         return replace(thing, shape=replace(thing.shape, **{word: value})) if hasattr(thing.shape, word) else thing

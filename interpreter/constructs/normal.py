@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from copy import copy
 from typing import Final
 
 from minipov.interpreter.constructs.common import unexpected, unread
@@ -49,7 +48,6 @@ def default_normal(context: Context) -> Normal:
 
 def read_normal(reader: ItemReader, context: Context, base: Normal) -> Normal:
     """``base`` with what a normal block says."""
-    reader = copy(reader)
     normal = read_normal_body(reader, context, base)
     if not reader.at_end:
         unexpected(reader, ACCEPTS)

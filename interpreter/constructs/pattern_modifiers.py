@@ -62,15 +62,15 @@ def read_pattern_modifier(reader: ItemReader, context: Context, modifiers: Patte
     transform = read_transform(reader, context)
     if transform is not None:
         return modifiers.transformed(transform)
-    word = reader.word(*_FIELDS)
+    word = reader.word_of(_FIELDS)
     if word is not None:
         return replace(modifiers, **_FIELDS[word](reader))
-    word = reader.word(*WAVES)
+    word = reader.word_of(WAVES)
     if word is not None:
         wave = WAVES[WAVES.index(word)]  # one of them, as asked for
         exponent = reader.float() if wave == "poly_wave" and reader.is_number() else 1.0
         return replace(modifiers, wave=wave, poly_exponent=exponent)
-    word = reader.word(*TURBULENCE_FIELDS)
+    word = reader.word_of(TURBULENCE_FIELDS)
     if word is not None:
         turbulence = modifiers.turbulence or Turbulence((0.0, 0.0, 0.0))
         return replace(modifiers, turbulence=replace(turbulence, **TURBULENCE_FIELDS[word](reader)))
@@ -110,7 +110,7 @@ PARAMETERS: Final[dict[str, dict[type[Pattern], Callable[[ItemReader], Any]]]] =
 
 def read_pattern_parameter(reader: ItemReader, pattern: Pattern | None) -> Pattern | None:
     """``pattern`` with a parameter of its own set, or None where the next item is none."""
-    word = reader.word(*PARAMETERS)
+    word = reader.word_of(PARAMETERS)
     if word is None:
         return None
     readers = PARAMETERS[word]

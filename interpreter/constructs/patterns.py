@@ -173,7 +173,7 @@ PATTERN_WORDS: Final = (
 
 def read_pattern(reader: ItemReader, context: Context) -> Pattern | None:
     """The pattern that starts here, or None. An ``object`` pattern's two items are left to `object_pattern_items`."""
-    word = reader.word(*PATTERNS)
+    word = reader.word_of(PATTERNS)
     if word is not None:
         return PATTERNS[word](reader, context)
     block = reader.node(PATTERN_BLOCKS)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from copy import copy
 from typing import Final
 
 from minipov.interpreter.constructs.common import unexpected, unread
@@ -63,7 +62,6 @@ def default_pigment(context: Context) -> Pigment:
 
 def read_pigment(reader: ItemReader, context: Context, base: Pigment) -> Pigment:
     """``base`` with what a pigment block says."""
-    reader = copy(reader)
     pigment = read_pigment_body(reader, context, base)
     if not reader.at_end:
         unexpected(reader, ACCEPTS)

@@ -95,7 +95,7 @@ SPINDLES: tuple[Literal["difference", "intersection", "merge", "union"], ...] = 
 )
 def torus(reader: ItemReader, context: Context) -> Shape:
     major, minor = reader.float(), reader.float()
-    word = reader.word(*SPINDLES)
+    word = reader.word_of(SPINDLES)
     return Torus(major, minor, next((mode for mode in SPINDLES if mode == word), None))
 
 

@@ -32,7 +32,7 @@ SWEEP_POINTS: Final[dict[SplineKind, int]] = {"linear_spline": 2, "b_spline": 4,
 
 
 def _kind(reader: ItemReader, kinds: tuple[SplineKind, ...]) -> SplineKind | None:
-    word = reader.word(*kinds)
+    word = reader.word_of(kinds)
     return next((kind for kind in kinds if kind == word), None)
 
 
@@ -100,7 +100,7 @@ def prism(reader: ItemReader, context: Context) -> Shape:
         if curve is not None:
             kind = curve
             continue
-        word = reader.word(*SWEEPS)
+        word = reader.word_of(SWEEPS)
         if word is None:
             break
         sweep = "conic_sweep" if word == "conic_sweep" else "linear_sweep"

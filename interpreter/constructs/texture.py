@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from copy import copy
 from typing import Final
 
 from minipov.interpreter.constructs.common import unexpected
@@ -45,6 +44,7 @@ from minipov.tracer.texture import (
 )
 
 TEXTURE_TYPES: Final[tuple[type[Texture], ...]] = (PlainTexture, LayeredTexture, PatternTexture, MaterialMap)
+_PARTS: Final = frozenset({"pigment", "normal", "finish"})
 PLAIN_ACCEPTS: Final = ("pigment", "normal", "finish", *TRANSFORM_WORDS, "no_bump_scale", "uv_mapping")
 PATTERN_ACCEPTS: Final = (*PATTERN_MODIFIERS, *PARAMETERS, "texture_map", "texture", "no_bump_scale")
 ACCEPTS: Final = (*PLAIN_ACCEPTS, *PATTERN_WORDS, *PATTERN_ACCEPTS, "tiles", "material_map")
@@ -73,13 +73,13 @@ def modified_texture(reader: ItemReader, context: Context, texture: Texture | No
     Of a layered texture the top layer changes.
     """
     item = reader.peek()
-    if not isinstance(item, Unread) or item.name not in ("pigment", "normal", "finish"):
+    if item.__class__ is not Unread or item.name not in _PARTS:
         return None
-    place, name, items = copy(reader), item.name, copy(item.reader)
-    reader.take()
     base = texture or default_texture(context)
     if not isinstance(base, PlainTexture | LayeredTexture):
-        place.refuse("no pigment, normal or finish on a patterned texture", "only plain textures can be layers")
+        reader.refuse("no pigment, normal or finish on a patterned texture", "only plain textures can be layers")
+    reader.take()
+    name, items = item.name, item.reader.again()
     *lower, top = layers(base)
     if name == "pigment":
         top = replace(top, pigment=read_pigment(items, context, top.pigment))

@@ -23,7 +23,7 @@ def read_transform(reader: ItemReader, context: Context) -> Transform | None:
     if not isinstance(item, Word):
         return None
     place = reader.place
-    match reader.word(*TRANSFORM_WORDS):
+    match reader.word_of(TRANSFORM_WORDS):
         case "translate":
             return Transform.translate(reader.vector())
         case "rotate":

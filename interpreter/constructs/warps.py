@@ -112,7 +112,7 @@ def warp(reader: ItemReader, context: Context, sink: Sink) -> Warp:
     transform = reader.node(Transform)
     if transform is not None:
         return transform
-    word = reader.word(*WARPS)
+    word = reader.word_of(WARPS)
     if word is None:
         unexpected(reader, WARPS)
     return WARPS[word](reader)

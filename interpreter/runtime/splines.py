@@ -31,9 +31,9 @@ Five = tuple[float, float, float, float, float]
 )
 def spline(reader: ItemReader, context: Context, sink: Sink) -> Spline:
     """A spline, or a copy of one with points added."""
-    kind: Any = reader.word(*KINDS)
+    kind: Any = reader.word_of(KINDS)
     base = reader.node(Spline)
-    kind = kind or reader.word(*KINDS) or (base.kind if base else "linear_spline")
+    kind = kind or reader.word_of(KINDS) or (base.kind if base else "linear_spline")
     points: dict[float, Five] = dict(base.points) if base else {}
     size = base.size if base else 2
     last: tuple[float, ...] = (0.0,) * 5
