@@ -81,6 +81,10 @@ class Builder(Transformer[Token, Any]):
         values, trailing_comma = c[0].value
         return tree.BulkVectors(c[0].line, c[0].column, values, trailing_comma)
 
+    def fault(self, c: Children) -> Any:
+        error = c[0].value
+        return tree.Fault(error.line, error.column, error)
+
     # --- expressions ---
 
     def hole(self, c: Children) -> Any:

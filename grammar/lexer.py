@@ -7,8 +7,8 @@ vanish. A keyword gets its terminal from THE table; ``#word`` is one token, blan
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from typing import Any, Final
 
@@ -28,6 +28,7 @@ _TOKEN: Final = re.compile(
     (?P<skip>[\s\ufeff\x1a\0]+|//[^\n]*|\#(?![ \t\r\n]*[A-Za-z_]))
   | (?P<comment>/\*)
   | (?P<hole>\x01)
+  | (?P<fault>\x02)
   | (?P<word>[A-Za-z_][A-Za-z0-9_]*)
   | (?P<number>{_NUMBER})
   | (?P<string>"(?:[^"\\]|\\.)*")
@@ -152,6 +153,10 @@ def tokenize(
             yield Token(previous, str(holes), start, line, column, line, column, at)
             holes += 1
             continue
+        if kind == "fault":
+            previous = "FAULT"
+            yield Token(previous, value, start, line, column, line, column, at)
+            continue
         if kind == "comment":
             at = _comment_end(text, at, path, line, column)
             value = text[start:at]
@@ -216,7 +221,8 @@ def _unreadable(text: str, at: int, path: str, line: int, column: int) -> SdlSyn
 class Source:
     """What is to be parsed: ``tokenize`` says what most of it means.
 
-    With ``is_macro``, the text is a function's body: it tells the names that are macros by now.
+    With ``is_macro``, the text is a function's body: it tells the names that are macros by now. ``faults`` says what is
+    wrong where `faults.FAULT` stands.
     """
 
     text: str
@@ -224,6 +230,7 @@ class Source:
     version_38: bool | None = None
     runs: bool = False
     is_macro: Callable[[str], bool] | None = None
+    faults: Mapping[int, SdlSyntaxError] = field(default_factory=dict)
 
 
 class SdlLexer(Lexer):
@@ -238,6 +245,9 @@ class SdlLexer(Lexer):
         from minipov.grammar.function_bodies import function_tokens, mark_function_bodies
 
         tokens: Sequence[Token] = list(tokenize(data.text, data.path, 0, data.version_38, data.runs))
+        for token in tokens if data.faults else ():
+            if token.type == "FAULT":
+                token.value = data.faults[token.start_pos or 0]
         tokens = mark_function_bodies(tokens, data.text)
         if data.is_macro is not None:
             tokens = function_tokens(tokens, data.is_macro)

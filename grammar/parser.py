@@ -18,7 +18,9 @@ from lark.exceptions import UnexpectedInput
 from lark.parsers.lalr_interactive_parser import InteractiveParser
 from minipov.grammar import tree
 from minipov.grammar.builder import Builder
+from minipov.grammar.errors import SdlSyntaxError
 from minipov.grammar.explain import explain
+from minipov.grammar.faults import Faults
 from minipov.grammar.lexer import SdlLexer, Source
 from platformdirs import user_cache_path
 
@@ -50,6 +52,25 @@ def parse(text: str, path: str = "", runs: bool = False) -> tree.File:
     except UnexpectedInput as error:
         raise explain(error, text, path) from None
     return tree.File(path, items)
+
+
+def parse_what_runs(text: str, path: str) -> tree.File:
+    """As `parse` with ``runs``, but a mistake in the body of a directive is a `tree.Fault`: it may never be reached.
+
+    Raises:
+        SdlSyntaxError: what always runs is not SDL.
+    """
+    faults = Faults(text)
+    while True:
+        try:
+            items: Any = _parser().parse(Source(faults.text, path, runs=True, faults=faults.errors))
+            return tree.File(path, items)
+        except UnexpectedInput as unexpected:
+            error = explain(unexpected, faults.text, path)
+        except SdlSyntaxError as found:
+            error = found
+        if not faults.take_out(error):
+            raise error
 
 
 def parse_function(text: str, path: str, line: int, column: int, is_macro: Callable[[str], bool]) -> tree.File:

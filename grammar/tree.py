@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 import numpy as np
+from minipov.grammar.errors import SdlSyntaxError
 from numpy.typing import NDArray
 
 
@@ -263,6 +264,13 @@ class BulkVectors(Node):
             yield Vector(self.line, self.column, tuple(terms))
 
 
+@dataclass(frozen=True, slots=True)
+class Fault(Node):
+    """A body of a directive that is not SDL: an error if it is reached."""
+
+    error: SdlSyntaxError
+
+
 # --- directives ---
 
 
@@ -500,6 +508,7 @@ Item: TypeAlias = (
     | Bracket
     | Punctuation
     | BulkVectors
+    | Fault
     | Statements
     | FunctionName
     | Directive

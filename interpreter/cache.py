@@ -43,13 +43,13 @@ def compiled(path: str, content: bytes) -> Program:
 def compile_text(path: str, content: bytes, *, recovering: bool = False) -> Program:
     """The code of a file, not looking at the cache; ``recovering`` goes on after mistakes."""
     # The grammar takes a while to load, and scenes that are known do not need it.
-    from minipov.grammar.parser import parse
+    from minipov.grammar.parser import parse_what_runs
     from minipov.interpreter.compiler.files import compile_file
     from minipov.interpreter.compiler.recovering import compile_recovering
 
     try:
         compile_tree = compile_recovering if recovering else compile_file
-        return compile_tree(parse(decode(content), path, runs=True), utf8=content.isascii() or is_utf8(content))
+        return compile_tree(parse_what_runs(decode(content), path), utf8=content.isascii() or is_utf8(content))
     except SdlSyntaxError as error:
         raise SdlError(error.message, (error.path or path, error.line, error.column), error.hint) from None
 

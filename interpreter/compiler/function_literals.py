@@ -14,7 +14,7 @@ from minipov.grammar import tree
 from minipov.interpreter.compiler.calls import Calls
 from minipov.interpreter.compiler.shapes import EXPRESSIONS, argument_groups
 from minipov.interpreter.errors import SdlError
-from minipov.interpreter.values import COMPONENTS
+from minipov.interpreter.runtime.evaluate import component_number
 
 DEFAULT_PARAMETERS: Final = ("x", "y", "z")
 _DEEPEST: Final = 100
@@ -99,7 +99,7 @@ class FunctionLiterals(Calls):
             case tree.Call(of=of, items=items):
                 return self._function_call(of, items, None, node, scope)
             case tree.Member(of=tree.Call(of=of, items=items), name=name):
-                component = -1 if name == "gray" else COMPONENTS.get(name, 9)
+                component = component_number(name)
                 return self._function_call(of, items, component, node, scope)
         return self._refused("this cannot stand in a function", node)
 

@@ -156,6 +156,9 @@ class Items(FunctionLiterals):
                     self.items(items)
                 self.emit.at(item)
                 self.do("close_bracket", self.place(item))
+            case tree.Fault(error=error):
+                self.emit.at(item)
+                self.do("fail", self.emit.constant(error.message), self.emit.constant(error.hint))
             case _:
                 raise TypeError(f"not an item: {item}")
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Literal
+from typing import Any, Final, Literal
 
 from minipov.interpreter.context import current_context
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.items import FunctionImage, Sink, Word, complete
 from minipov.interpreter.runtime.splines import evaluate
-from minipov.interpreter.values import Vector, kind_of
+from minipov.interpreter.values import COMPONENTS, Vector, kind_of
 from minipov.tracer.function import (
     Accumulate,
     Call,
@@ -37,6 +37,10 @@ FUNCTIONS = (
     SplineFunction,
 )
 _COMPONENTS = {PigmentFunction: 5, TransformFunction: 3}
+_MIXTURES: Final = {"gray": -1, "grey": -1, "hf": -2}
+_HIGH: Final = 0.996093
+_WEIGHTS: Final = {-1: (0.297, 0.589, 0.114), -2: (_HIGH, _HIGH / 255.0, 0.0)}
+"""Of red, green and blue; ``hf`` is the height that a height field takes from them."""
 
 
 def call_function(callee: Any, values: Sequence[Any]) -> Any:
@@ -121,8 +125,13 @@ def captured(value: Any) -> Constant:
     )
 
 
+def component_number(name: str) -> int:
+    """The number of a component in a function's body: from 0, or below 0 for a mixture of them."""
+    return _MIXTURES.get(name, COMPONENTS.get(name, 9))
+
+
 def function_call(callee: Any, arguments: tuple[Expression, ...], component: int | None) -> Expression:
-    """A function or spline called in a function's body. ``component`` -1 asks for the grey value."""
+    """A function or spline called in a function's body; ``component`` is as `component_number` has it."""
     if isinstance(callee, Spline):
         callee = SplineFunction(callee)
     if not isinstance(callee, FUNCTIONS):
@@ -137,10 +146,10 @@ def function_call(callee: Any, arguments: tuple[Expression, ...], component: int
         return Call(callee, arguments)
     if component >= size:
         raise SdlError(f"the function's value has {size} components")
-    if component == -1:
+    if component in _WEIGHTS:
         red, green, blue = (
             Operation("*", (Constant(weight), Call(callee, arguments, number)))
-            for number, weight in enumerate((0.297, 0.589, 0.114))
+            for number, weight in enumerate(_WEIGHTS[component])
         )
         return Operation("+", (Operation("+", (red, green)), blue))
     return Call(callee, arguments, component)

@@ -12,8 +12,8 @@ from minipov.interpreter.compiler.function_literals import FLOAT_FUNCTIONS
 from minipov.interpreter.compiler.shapes import CONSTANT_WORDS
 from minipov.interpreter.errors import Place, SdlError
 from minipov.interpreter.items import Named, Punctuation, Word
-from minipov.interpreter.runtime.evaluate import accumulate, captured, function_call
-from minipov.interpreter.values import COMPONENTS, kind_of
+from minipov.interpreter.runtime.evaluate import accumulate, captured, component_number, function_call
+from minipov.interpreter.values import kind_of
 from minipov.tracer.function import Expression, Operation, Parameter
 
 _LEVELS: Final = ({"|"}, {"&"}, {"<", "<=", "=", "!=", ">=", ">"}, {"+", "-"}, {"*", "/"})
@@ -126,7 +126,7 @@ class FunctionParser:
             word = self._next
             if not isinstance(word, Word | Named):
                 self._refuse("a component")
-            component = -1 if word.name == "gray" else COMPONENTS.get(word.name, 9)
+            component = component_number(word.name)
             self._at += 1
         return function_call(value, arguments, component)
 

@@ -1,0 +1,84 @@
+"""Mistakes in text that may never run: POV-Ray reads only the branches that it takes and the macros that it calls.
+
+``#if (0) don't read this: ( #else sphere { 0, 1 } #end`` is a sphere. A body of a directive that is not SDL becomes one
+token, which raises its error where it is reached.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Final
+
+from minipov.grammar.errors import SdlSyntaxError
+
+FAULT: Final = "\x02"
+"""Stands in the text where such a body begins; blanks fill the rest of it."""
+
+_MARKS: Final = re.compile(
+    r"""//[^\n]* | (?P<comment>/\*) | "(?:[^"\\]|\\.)*" | (?P<bracket>[()]) | \#[ \t\r\n]*(?P<word>[A-Za-z_]\w*)""",
+    re.VERBOSE | re.DOTALL,
+)
+_COMMENT_EDGE: Final = re.compile(r"/\*|\*/")
+_OPENING: Final = frozenset({"if", "ifdef", "ifndef", "switch", "while", "for", "macro"})
+_DIVIDING: Final = frozenset({"else", "elseif", "case", "range"})
+_NOT_BLANK: Final = re.compile(r"\S")
+
+
+@dataclass
+class Faults:
+    """The text of a file, and what was found wrong in it so far, by where the body begins."""
+
+    text: str
+    errors: dict[int, SdlSyntaxError] = field(default_factory=dict)
+
+    def take_out(self, error: SdlSyntaxError) -> bool:
+        """Take the innermost body that holds an error out of the text; False if none does."""
+        at = sum(len(line) + 1 for line in self.text.split("\n")[: error.line - 1]) + error.column - 1
+        holding = [(start, end) for start, end in _bodies(self.text) if start <= at <= end and start < end]
+        holding = [body for body in holding if body[0] not in self.errors]
+        if not holding:
+            return False
+        start, end = max(holding)
+        within = sorted(inner for inner in self.errors if start < inner < end)
+        self.errors[start] = self.errors[within[0]] if within else error
+        for inner in within:
+            del self.errors[inner]
+        blanked = _NOT_BLANK.sub(" ", self.text[start + 1 : end])
+        self.text = self.text[:start] + FAULT + blanked + self.text[end:]
+        return True
+
+
+def _bodies(text: str) -> Iterator[tuple[int, int]]:
+    """Where the bodies of directives begin and end, as far as they are closed; and what ``#break`` skips of them."""
+    starts: list[list[int]] = []
+    heads: list[int] = []  # how many brackets are open in the head of a directive that is being read
+    at = 0
+    while (mark := _MARKS.search(text, at)) is not None:
+        at = mark.end()
+        if mark["comment"]:
+            at = _comment_end(text, at)
+        elif mark["bracket"] and heads:
+            heads[-1] += 1 if mark["bracket"] == "(" else -1
+            if heads[-1] <= 0:
+                heads.pop()
+                starts[-1].append(at)
+        elif mark["word"]:
+            word = mark["word"]
+            if word in _DIVIDING | {"end"} and starts:
+                yield from ((start, mark.start()) for start in starts.pop())
+            if word in _OPENING | _DIVIDING:
+                starts.append([at] if word == "else" else [])
+                heads = [] if word == "else" else [0]
+            elif word == "break" and starts and not heads:
+                starts[-1].append(at)
+
+
+def _comment_end(text: str, at: int) -> int:
+    depth = 1
+    for edge in _COMMENT_EDGE.finditer(text, at):
+        depth += 1 if edge.group() == "/*" else -1
+        if depth == 0:
+            return edge.end()
+    return len(text)
