@@ -105,7 +105,8 @@ class Array:
             SdlError: out of range, too few subscripts, or nothing was assigned yet.
         """
         own = indices[: len(self.sizes)]
-        value = self.elements[self._at(own)]
+        inside = len(indices) == 1 == len(self.sizes) and 0 <= indices[0] < self.sizes[0]
+        value = self.elements[int(indices[0]) if inside else self._at(own)]
         if value is UNSET:
             raise SdlError("this array element has no value yet", hint="test it with #ifdef, or assign it first")
         return subscript(value, *indices[len(own) :]) if len(indices) > len(own) else value

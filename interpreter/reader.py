@@ -172,7 +172,7 @@ class ItemReader:
         item = self._items[self._at] if self._at < self._end else None
         if item.__class__ is float:
             self._at += 1
-            return item  # type: ignore[no-any-return]  # a float, as just seen
+            return item
         return self.terms("a number", 1)[0]
 
     def integer(self) -> int:

@@ -106,7 +106,7 @@ class Calls(Expressions):
         if len(group) == 1 and isinstance(item, EXPRESSIONS):
             value = self.expression(item)
             if isinstance(item, tree.Name | tree.Subscript):
-                return self.emit.call("copied", value)
+                return self._unless_float(value, "copied")
             if may_splice(item) and what != "argument":
                 value = self.emit.at(item).call("value_of", value)
             self.emit.at(item)
@@ -117,9 +117,7 @@ class Calls(Expressions):
     def _unless_float(self, value: ast.expr, function: str, *more: ast.expr) -> ast.expr:
         """``function(value, ...)``, spared where the value is a float."""
         name = self.unit.unique("t")
-        is_float = self.emit.compare(
-            self.emit.attribute(self.emit.named(name, value), "__class__"), ast.Is(), self.emit.name("float")
-        )
+        is_float = self.is_float(self.emit.named(name, value))
         other = self.emit.call(function, self.emit.name(name), *more)
         return self.emit.conditional(is_float, self.emit.name(name), other)
 

@@ -68,9 +68,9 @@ class Emitter:
         """``operator operand``."""
         return ast.UnaryOp(operator, operand, **self._place)
 
-    def compare(self, left: ast.expr, operator: ast.cmpop, right: ast.expr) -> ast.expr:
-        """``left operator right``."""
-        return ast.Compare(left, [operator], [right], **self._place)
+    def compare(self, left: ast.expr, operator: ast.cmpop, *right: ast.expr) -> ast.expr:
+        """``left operator right``; with more than one ``right``, ``left operator right operator right ...``."""
+        return ast.Compare(left, [operator] * len(right), list(right), **self._place)
 
     def both(self, *values: ast.expr) -> ast.expr:
         """``a and b``."""

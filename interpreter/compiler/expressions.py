@@ -11,7 +11,7 @@ from minipov.grammar import tree
 from minipov.grammar.lexer import unescape
 from minipov.interpreter.compiler.body import Body
 from minipov.interpreter.compiler.shapes import EXPRESSIONS, constant, is_comma, may_splice
-from minipov.interpreter.values import COMPONENTS
+from minipov.interpreter.values import COMPONENTS, EPSILON
 
 _PYTHON: Final[dict[str, type[ast.operator]]] = {"+": ast.Add, "-": ast.Sub, "*": ast.Mult}
 _ORDER: Final[dict[str, type[ast.cmpop]]] = {"<": ast.Lt, ">": ast.Gt}
@@ -97,8 +97,23 @@ class Expressions(Body):
             node = node.inner
         if isinstance(node, tree.Binary) and node.operator in _RELATIONS and constant(node) is None:
             return self._relation(node)
-        value = self.value(node)
-        return self.emit.call("truth", value)
+        return self._truth(self.value(node))
+
+    def _truth(self, value: ast.expr) -> ast.expr:
+        """Whether a value counts as true."""
+        name = self.unit.unique("t")
+        number = self.emit.unary(ast.Not(), self._nearly_zero(self.emit.name(name), ast.LtE()))
+        test = self.is_float(self.emit.named(name, value))
+        return self.emit.conditional(test, number, self.emit.call("truth", self.emit.name(name)))
+
+    def is_float(self, *values: ast.expr) -> ast.expr:
+        """Whether all of these are floats; all are worked out, whatever they are."""
+        kinds = [self.emit.attribute(value, "__class__") for value in values]
+        return self.emit.compare(kinds[0], ast.Is(), *kinds[1:], self.emit.name("float"))
+
+    def _nearly_zero(self, number: ast.expr, order: ast.cmpop) -> ast.expr:
+        """Whether a float is zero but for `EPSILON`."""
+        return self.emit.compare(self.emit.constant(-EPSILON), order, number, self.emit.constant(EPSILON))
 
     def _characters(self, raw: str) -> ast.expr:
         """A string that is not all ASCII: where the scene's charset is ASCII, POV-Ray reads a blank for every byte."""
@@ -140,7 +155,28 @@ class Expressions(Body):
         self.emit.at(node)
         if node.operator in _ORDER:
             return self.emit.compare(left, _ORDER[node.operator](), right)
-        return self.emit.call(_HELPERS[node.operator], left, right)
+        return self._tolerant(node, left, right)
+
+    def _tolerant(self, node: tree.Binary, left: ast.expr, right: ast.expr) -> ast.expr:
+        """A relation that overlooks `EPSILON`: arithmetic where both sides are floats, else its helper's affair."""
+        values, tested = [left, right], []
+        for side, operand in enumerate((node.left, node.right)):
+            if not isinstance(constant(operand), float):
+                name = self.unit.unique("t")
+                tested.append(self.emit.named(name, values[side]))
+                values[side] = self.emit.name(name)
+        a, b = values
+        more, less = (b, a) if node.operator == ">=" else (a, b)
+        difference = self.emit.binary(more, ast.Sub(), less)
+        if node.operator in ("=", "!="):
+            holds = self._nearly_zero(difference, ast.Lt())
+        else:
+            holds = self.emit.compare(difference, ast.Lt(), self.emit.constant(EPSILON))
+        holds = self.emit.either(holds, self.emit.compare(a, ast.Eq(), b))  # two infinities have no difference
+        if node.operator == "!=":
+            holds = self.emit.unary(ast.Not(), holds)
+        other = self.emit.call(_HELPERS[node.operator], a, b)
+        return self.emit.conditional(self.is_float(*(tested or values)), holds, other)
 
     def _conditional(self, node: tree.Conditional) -> ast.expr:
         test = self.condition(node.condition)
@@ -162,10 +198,9 @@ class Expressions(Body):
     def _first_component(self, of: ast.expr, component: str) -> ast.expr:
         """The first component of a vector, which numbers have too."""
         name = self.unit.unique("t")
-        kind = self.emit.attribute(self.emit.named(name, of), "__class__")
         number = self.emit.name(name)
-        is_float = self.emit.compare(kind, ast.Is(), self.emit.name("float"))
-        return self.emit.conditional(is_float, number, self.emit.attribute(self.emit.name(name), component))
+        is_float = self.is_float(self.emit.named(name, of))
+        return self.emit.conditional(is_float, number, self.emit.attribute(number, component))
 
     def _subscript(self, node: tree.Subscript) -> ast.expr:
         container, indices = self.element(node)

@@ -23,8 +23,6 @@ def instantiate(item: Item, place: Place, context: Context) -> None:
     """
     scene = context.scene
     match complete(item):
-        case None:
-            pass
         case Object() as thing:
             scene.objects.append(dressed(thing, context))
         case LightSource() as light:
@@ -46,7 +44,7 @@ def instantiate(item: Item, place: Place, context: Context) -> None:
             scene.sky_sphere = sky
         case Block("background", color):
             scene.background = color
-        case Block("global_settings"):
+        case None | Block("global_settings"):
             pass
         case other:
             raise SdlError(f"expected an object or a directive, found {describe(other)}", place)
