@@ -16,6 +16,10 @@ pub struct Gathered {
     pub light: Rgb,
     /// Harmonic mean of the rays' lengths: how fast light changes around here.
     pub radius: f64,
+    /// Length of the shortest ray: how fast light changes on the way there.
+    pub nearest: f64,
+    /// The shortest ray's direction, of length one.
+    pub toward: Vec3,
     /// How many gathering rays led here; it was thrown on fewer times than light seen by less of them.
     pub bounces: u32,
 }
@@ -45,21 +49,36 @@ impl Mean {
     }
 }
 
-/// How far behind a point's surface, in radii, gathered light may lie that is reused.
+/// Sine of the angle below the surface at which gathered light no longer counts (probed, as all weights are).
 const BEHIND: f64 = 0.05;
 
 impl Gathered {
-    /// How unlike the surroundings of another point are: 0 at the point itself, infinite beyond `bound`.
-    fn difference(&self, point: Vec3, normal: Vec3, bound: f64) -> f64 {
+    /// How far away light may be reused, at differences up to `bound`.
+    pub fn reach(&self, bound: f64) -> f64 {
+        bound * self.radius
+    }
+
+    /// How much this counts at another point: 1 at the point itself, 0 where the difference reaches `bound`.
+    fn weight(&self, point: Vec3, normal: Vec3, bound: f64) -> f64 {
         let away = point - self.point;
         // Most are too far away.
-        if away.dot(away) >= (bound * self.radius).powi(2) {
-            return f64::INFINITY;
+        if away.dot(away) >= self.reach(bound).powi(2) {
+            return 0.0;
         }
-        if away.dot(self.normal + normal) < -2.0 * BEHIND * self.radius {
-            return f64::INFINITY;
+        let distance = away.length();
+        let way = if distance > 0.0 { away * distance.recip() } else { Vec3::ZERO };
+        let middle = (self.normal + normal).normalized();
+        let below = (-way.dot(middle)).max(0.0);
+        let near = way.dot(self.toward).max(0.0);
+        let radius = self.nearest * near + self.radius * (1.0 - near);
+        let turned = 2.0 * (1.0 - self.normal.dot(normal)).max(0.0).sqrt();
+        let difference = (distance / radius + turned) / bound;
+        if below >= BEHIND || difference >= 1.0 {
+            return 0.0;
         }
-        away.length() / self.radius + (1.0 - self.normal.dot(normal)).max(0.0).sqrt()
+        let weight =
+            if difference < 0.5 { 1.0 - 2.0 * difference.powi(2) } else { 2.0 * (1.0 - difference).powi(2) };
+        weight * (1.0 - below / BEHIND)
     }
 }
 
@@ -109,9 +128,8 @@ impl Cache {
                 if gathered.bounces != bounces {
                     continue;
                 }
-                let difference = gathered.difference(point, normal, bound);
-                if difference < bound {
-                    let weight = (1.0 - difference / bound).powi(2);
+                let weight = gathered.weight(point, normal, bound);
+                if weight > 0.0 {
                     mean.sum += gathered.light * weight;
                     mean.weight += weight;
                     mean.count += 1;
@@ -133,7 +151,9 @@ mod tests {
         for _ in 0..300 {
             let (point, radius) = (random.vector(5.0), 0.01 + 2.0 * random.unit());
             let light = Rgb { r: 1.0, g: 0.0, b: 0.0 };
-            cache.insert(Gathered { point, normal: Vec3::Y, light, radius, bounces: 0 }, radius);
+            let (nearest, toward) = (radius * random.unit(), random.vector(1.0).normalized());
+            let gathered = Gathered { point, normal: Vec3::Y, light, radius, nearest, toward, bounces: 0 };
+            cache.insert(gathered, gathered.reach(1.0));
         }
         for _ in 0..300 {
             let point = random.vector(6.0);
@@ -141,7 +161,7 @@ mod tests {
             cache.collect(point, Vec3::Y, 1.0, 0, &mut mean);
             assert_eq!(
                 mean.count,
-                cache.all().iter().filter(|g| g.difference(point, Vec3::Y, 1.0) < 1.0).count()
+                cache.all().iter().filter(|g| g.weight(point, Vec3::Y, 1.0) > 0.0).count()
             );
         }
     }

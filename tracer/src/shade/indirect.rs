@@ -19,10 +19,8 @@ impl Tracer<'_> {
         }
         let pole = if settings.normal { normal } else { spot.normal };
         let mut mean = Mean::default();
-        // Light that is thrown on needs less care.
-        let bound = indirect.error_bound * f64::from(1 + indirect.bounces);
         for cache in [indirect.shared, &indirect.own] {
-            cache.collect(spot.point, pole, bound, indirect.bounces, &mut mean);
+            cache.collect(spot.point, pole, indirect.error_bound, indirect.bounces, &mut mean);
         }
         let enough = if indirect.take_any || indirect.bounces > 0 { 1 } else { settings.nearest_count };
         let light =
@@ -36,6 +34,7 @@ impl Tracer<'_> {
         let count = settings.rays(bounces);
         let mut sum = Rgb::BLACK;
         let mut nearness = 0.0;
+        let (mut nearest, mut toward) = (f64::INFINITY, pole);
         self.set_bounces(bounces + 1);
         let directions = hemisphere(pole, count, &mut self.random);
         for direction in directions {
@@ -48,15 +47,20 @@ impl Tracer<'_> {
             let (seen, distance) = self.trace_far(&path, weight);
             sum += settings.limited(seen.rgb);
             nearness += distance.recip();
+            if distance < nearest {
+                (nearest, toward) = (distance, direction);
+            }
         }
         self.set_bounces(bounces);
         let light = sum * (count as f64).recip();
         let from_camera = (spot.point - self.scene.camera.location()).length();
-        let [most, least] = settings.reuse.map(|share| share * from_camera);
+        // Light that is thrown on needs less care: its reach doubles with every ray that leads there (probed).
+        let [most, least] = settings.reuse.map(|share| share * from_camera * f64::from(bounces).exp2());
         let radius = (count as f64 / nearness).min(most).max(least);
         if let Some(indirect) = &mut self.indirect {
-            let gathered = Gathered { point: spot.point, normal: pole, light, radius, bounces };
-            indirect.own.insert(gathered, radius * settings.error_bound);
+            let gathered =
+                Gathered { point: spot.point, normal: pole, light, radius, nearest, toward, bounces };
+            indirect.own.insert(gathered, gathered.reach(settings.error_bound));
         }
         light
     }
