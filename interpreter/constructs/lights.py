@@ -7,7 +7,7 @@ from typing import Any, Final
 from minipov.interpreter.constructs.common import (
     Field,
     boolean,
-    integer,
+    count,
     number,
     read_all_fields,
     read_fields,
@@ -42,7 +42,7 @@ SPOT_FIELDS: Final[dict[str, Field]] = {
     "tightness": number("tightness"),
 }
 AREA_FIELDS: Final[dict[str, Field]] = {
-    "adaptive": integer("adaptive"),
+    "adaptive": count("adaptive", 20),
     "jitter": switch("jitter"),
     "circular": switch("circular"),
     "orient": switch("orient"),

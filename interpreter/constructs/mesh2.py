@@ -139,8 +139,14 @@ def face_indices(reader: ItemReader, context: Context, sink: Sink) -> Block:
         if given:
             numbers[have - 1] = given
     _end(reader, "face_indices", count)
-    table = np.concatenate(faces).astype(np.int32) if faces else np.zeros((0, 3), dtype=np.int32)
+    table = _whole(np.concatenate(faces)) if faces else np.zeros((0, 3), dtype=np.int32)
     return Block("face_indices", (table, _texture_table(numbers, len(table))))
+
+
+def _whole(numbers: NDArray[np.float64]) -> NDArray[np.int32]:
+    """Indices; what can be none becomes one that no list has."""
+    largest = np.iinfo(np.int32).max
+    return np.nan_to_num(numbers, nan=-1).clip(-1, largest).astype(np.int32)
 
 
 def _texture_numbers(reader: ItemReader) -> tuple[int, ...]:

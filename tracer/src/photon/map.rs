@@ -116,7 +116,8 @@ impl PhotonMap {
     /// Sorts photons.
     pub fn new(photons: Vec<Photon>, settings: &Gathering) -> PhotonMap {
         let count = photons.len();
-        let Gathering { gather, expand, .. } = *settings;
+        let Gathering { gather: [fewest, most], expand, .. } = *settings;
+        let gather = [fewest, most.min(photons.len().max(1))];
         let mut map = PhotonMap { photons, axes: vec![0; count], radius: f64::INFINITY, gather, expand };
         map.split(0, count);
         map.radius = settings.radius.unwrap_or_else(|| map.usual_radius() * SPARSE) * settings.radius_factor;

@@ -6,6 +6,9 @@ use crate::geometry::NodeId;
 use crate::math::{Ray, Vec3};
 use crate::render::Random;
 
+/// No light shoots more rings at a target, so that its photons fit into memory.
+const MOST_RINGS: f64 = 4000.0;
+
 /// One light, seen from one of its points, and one object that is a target.
 #[derive(Clone, Debug)]
 pub struct Aim {
@@ -44,12 +47,15 @@ impl Aim {
 
     /// Angle or distance from the axis of the outermost ring, and between rings.
     fn reach(&self) -> (f64, f64) {
-        if self.parallel.is_some() {
-            return (self.radius, self.spacing);
-        }
         let distance = (self.center - self.origin).length();
-        let reach = if distance > self.radius { (self.radius / distance).asin() } else { PI };
-        (reach, self.spacing / distance.max(self.radius))
+        let (reach, step) = if self.parallel.is_some() {
+            (self.radius, self.spacing)
+        } else if distance > self.radius {
+            ((self.radius / distance).asin(), self.spacing / distance)
+        } else {
+            (PI, self.spacing / self.radius)
+        };
+        (reach, step.max(reach / MOST_RINGS))
     }
 
     /// The photons of one ring.

@@ -21,6 +21,8 @@ const ON_SURFACE: f64 = 4.0;
 const MEASURED: u32 = 24;
 /// Shorter pieces are not halved, whatever the accuracy.
 const SHORTEST: f64 = 1e-12;
+/// A ray takes no more samples than this: a gradient without bounds would halve a large container for ever.
+const PATIENCE: u32 = 1 << 19;
 
 /// Where a function has the value of the threshold.
 #[derive(Clone, Debug)]
@@ -108,6 +110,8 @@ struct Search<'a> {
     steepest: f64,
     /// Hits beyond it do not matter.
     limit: f64,
+    /// How many more samples are worth taking.
+    patience: u32,
 }
 
 impl Search<'_> {
@@ -117,14 +121,15 @@ impl Search<'_> {
     }
 
     /// The first place from `a` to `b` where the height falls below 0. `fall` is what it can fall in between.
-    fn first_below(&self, a: Sample, b: Sample, fall: f64, length: f64) -> Option<f64> {
+    fn first_below(&mut self, a: Sample, b: Sample, fall: f64, length: f64) -> Option<f64> {
         if length < self.surface.accuracy.max(SHORTEST) {
             return (b.height < 0.0).then_some(b.t);
         }
         let reaches = a.height + b.height - fall < 0.0;
-        if !reaches || a.t > self.limit {
+        if !reaches || a.t > self.limit || self.patience == 0 {
             return None;
         }
+        self.patience -= 1;
         let (fall, length) = (fall * 0.5, length * 0.5);
         let middle = self.sample(a.t + length);
         self.first_below(a, middle, fall, length).or_else(|| self.first_below(middle, b, fall, length))
@@ -165,7 +170,7 @@ impl Primitive for Isosurface {
             return limit;
         }
         let steepest = self.max_gradient * ray.direction.length();
-        let mut search = Search { surface: self, ray: *ray, sign: 1.0, steepest, limit };
+        let mut search = Search { surface: self, ray: *ray, sign: 1.0, steepest, limit, patience: PATIENCE };
         let mut give = |crossing: Crossing, limit: &mut f64| {
             if crossing.t > from && crossing.t <= *limit {
                 *limit = offer(crossing, *limit);

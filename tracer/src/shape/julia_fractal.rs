@@ -15,7 +15,7 @@ const FINE: f64 = 1e-7;
 /// So many steps are taken at once by hypercomplex functions, at most.
 const WIDEST: f64 = 30.0;
 /// A ray makes so many steps for a unit of length at most.
-const MOST_STEPS: f64 = 1e5;
+const MOST_STEPS: f64 = 5e3;
 
 /// A slice of a Julia set.
 #[derive(Clone, Debug)]
