@@ -66,7 +66,7 @@ FEATURES: dict[str, list[Row]] = {
         ("`height_field`: smooth, `water_level`, 16 bits, POT files", "height_field*"),
         ("`isosurface`: containers, `max_gradient`, `evaluate`, `all_intersections`", "isosurface*"),
         ("`julia_fractal`: `quaternion` and `hypercomplex`, function `sqr`", "julia_fractal"),
-        ("`julia_fractal`: hypercomplex `exp`, `sin`, `pwr`, ...", "julia_fractal_function*"),
+        ("`julia_fractal`: hypercomplex functions as `exp` and `pwr`", "julia_fractal_function*"),
         ("`parametric`", "parametric*"),
         ("`text` from TrueType fonts", "text text_[!u]*"),
         ("`ovus`", "ovus*"),
@@ -134,7 +134,8 @@ FEATURES: dict[str, list[Row]] = {
         ("`bumps`, `dents`, `ripples`, `waves`, `wrinkles`", "normal_bumps* normal_dents normal_ripples* normal_waves* "
          "normal_wrinkles"),
         ("`quilted`, `facets`", "normal_quilted normal_facets*"),
-        ("any pattern as a normal", "normal_signed_amount normal_agate normal_bozo normal_brick normal_cells normal_checker normal_crackle "
+        ("any pattern as a normal", "normal_signed_amount "
+         "normal_agate normal_bozo normal_brick normal_cells normal_checker normal_crackle "
          "normal_gradient* normal_granite normal_hexagon normal_leopard normal_marble normal_onion normal_radial "
          "normal_spiral* normal_spotted normal_wood"),
         ("`normal_map`, lists, `average`", "normal_normal_map* normal_average* normal_list_* normal_map_*"),
