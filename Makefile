@@ -25,7 +25,8 @@ $(VENV)/installed: pyproject.toml $(RUST_SOURCES) | $(BIN)/python rust
 
 quick: ## rebuild only the core, incrementally, into an environment that `make build` made
 	$(CARGO) build --quiet --profile quick --features python --manifest-path tracer/Cargo.toml
-	@$(BIN)/python -c 'import shutil, sysconfig; shutil.copyfile("tracer/target/quick/libminipov_tracer.so", "tracer/_core" + sysconfig.get_config_var("EXT_SUFFIX"))'
+	@$(BIN)/python -c 'import sysconfig; print("tracer/_core" + sysconfig.get_config_var("EXT_SUFFIX"))' | \
+	  { read -r core; cp tracer/target/quick/libminipov_tracer.so "$$core.new" && mv "$$core.new" "$$core"; }
 
 $(BIN)/python:
 	@test -n "$(PYTHON)" && "$(PYTHON)" -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
