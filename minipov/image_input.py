@@ -12,8 +12,7 @@ from pathlib import Path
 import numpy as np
 import OpenImageIO as oiio
 from numpy.typing import NDArray
-from PIL import Image as Pillow
-from PIL import UnidentifiedImageError
+from PIL import Image as Pillow, UnidentifiedImageError
 
 from minipov.gamma import Floats, convert
 from minipov.tracer.image import Image, ImagePurpose
@@ -136,7 +135,7 @@ def _read_palette(path: Path) -> _Stored | None:
 
 
 def _is_interlaced(picture: Pillow.Image) -> bool:
-    return any(isinstance(args, tuple) and bool(args[1]) for _, _, _, args in picture.tile)
+    return any(isinstance(args, tuple) and bool(args[1]) for _, _, _, args in getattr(picture, "tile", ()))
 
 
 def _png_curve(info: dict[str | tuple[int, int], object]) -> Gamma:

@@ -9,8 +9,7 @@ from lsprotocol import types
 from minipov.editor.analysis.completion import Completion, CompletionKind, completions
 from minipov.editor.analysis.help import help_at
 from minipov.editor.analysis.names import includes
-from minipov.editor.analysis.references import Reference, references_here
-from minipov.editor.analysis.references import references as all_references
+from minipov.editor.analysis.references import Reference, references as all_references, references_here
 from minipov.editor.analysis.signatures import signature_at
 from minipov.editor.server.positions import Positions
 from minipov.editor.server.session import Session

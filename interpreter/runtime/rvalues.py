@@ -49,6 +49,7 @@ def layered(textures: Sequence[Texture]) -> Texture:
     """Textures in a row as one, the lowest first."""
     if len(textures) == 1:
         return textures[0]
-    if not all(isinstance(texture, PlainTexture | LayeredTexture) for texture in textures):
+    layers = [texture for texture in textures if isinstance(texture, PlainTexture | LayeredTexture)]
+    if len(layers) < len(textures):
         raise SdlError("a patterned texture cannot be a layer of another")
-    return reduce(laid_over, textures)
+    return reduce(laid_over, layers)

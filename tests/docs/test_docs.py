@@ -7,8 +7,7 @@ from pathlib import Path
 
 import features_page
 import pytest
-from command_line_page import PAGE as COMMAND_LINE
-from command_line_page import page as command_line_page
+from command_line_page import PAGE as COMMAND_LINE, page as command_line_page
 from feature_table import FEATURES
 
 ROOT = Path(__file__).parents[2]

@@ -5,8 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from minipov.editor.analysis.checks import problems
 from minipov.editor.analysis.document import Document
 from minipov.editor.analysis.language import OBJECTS, SCENE, accepted
