@@ -99,28 +99,30 @@ impl Ord for Near {
     }
 }
 
-/// How much farther than the mean distance of the most photons they are gathered from: what comes nearest to POV-Ray,
-/// whose factor is between 2 and 3.4, the more the photons vary in density (probed).
-const SPARSE: f64 = 2.7;
-
 /// How much farther away photons are looked for where there are too few (probed).
 const EXPANSION: f64 = 3.0;
 
 /// How much photons off the plane of the surface are farther away than they are, per unit of their height (probed).
 const FLATTENING: f64 = 16.0;
 
-/// From how many photons the radius of gathering is learnt.
-const SAMPLES: usize = 200;
+/// From how many photons at most the radius of gathering is learnt (probed: POV-Ray takes a twentieth, but 100 at least).
+const SAMPLES: usize = 1000;
+
+/// Shares of the most photons between which a photon has few around it; those with fewer still are strays. By how many
+/// radii the radius would grow if all had few (probed).
+const FEWEST: f64 = 0.05;
+const FEW: f64 = 0.71;
+const GROWTH: f64 = 20.0;
 
 impl PhotonMap {
-    /// Sorts photons.
-    pub fn new(photons: Vec<Photon>, settings: &Gathering) -> PhotonMap {
+    /// Sorts photons, of a volume or of surfaces.
+    pub fn new(photons: Vec<Photon>, volume: bool, settings: &Gathering) -> PhotonMap {
         let count = photons.len();
         let Gathering { gather: [fewest, most], expand, .. } = *settings;
         let gather = [fewest, most.min(photons.len().max(1))];
         let mut map = PhotonMap { photons, axes: vec![0; count], radius: f64::INFINITY, gather, expand };
         map.split(0, count);
-        map.radius = settings.radius.unwrap_or_else(|| map.usual_radius() * SPARSE) * settings.radius_factor;
+        map.radius = settings.radius.unwrap_or_else(|| map.usual_radius(volume)) * settings.radius_factor;
         map
     }
 
@@ -143,13 +145,23 @@ impl PhotonMap {
         self.split(low + middle + 1, high);
     }
 
-    /// The mean distance within which the most photons are found, over some of them.
-    fn usual_radius(&self) -> f64 {
-        let step = (self.photons.len() / SAMPLES).max(1);
-        let some = self.photons.iter().step_by(step);
-        let radii: Vec<f64> =
-            some.map(|photon| self.nearest(photon.point, None, f64::INFINITY).square.sqrt()).collect();
-        radii.iter().sum::<f64>() / radii.len().max(1) as f64
+    /// The radius in which the most photons lie at mean density, and more if many photons have few around them.
+    fn usual_radius(&self, volume: bool) -> f64 {
+        let step = self.photons.len().div_ceil(SAMPLES).max(1);
+        let some = || self.photons.iter().step_by(step);
+        let count = some().count().max(1) as f64;
+        let power = if volume { 1.5 } else { 1.0 };
+        let density = |photon: &Photon| {
+            let found = self.nearest(photon.point, None, f64::INFINITY);
+            found.near.len() as f64 / found.square.powf(power)
+        };
+        let mean = some().map(density).filter(|d| d.is_finite()).sum::<f64>() / count;
+        let radius = (self.gather[1] as f64 / mean).powf(0.5 / power);
+        let few = |photon: &&Photon| {
+            let near = self.nearest(photon.point, None, radius).near.len() as f64;
+            near < FEW * self.gather[1] as f64 && near > FEWEST * self.gather[1] as f64
+        };
+        radius * (1.0 + GROWTH * some().filter(few).count() as f64 / count)
     }
 
     /// The photons around a point; those off the plane of `normal` count as farther away.
@@ -205,11 +217,8 @@ impl PhotonMap {
                 found = wider;
             }
         }
-        // In the order of the tree: sums do not depend on the heap.
-        let mut numbers: Vec<u32> = found.near.into_iter().map(|n| n.1).collect();
-        numbers.sort_unstable();
-        for number in numbers {
-            visit(&self.photons[number as usize]);
+        for near in found.near {
+            visit(&self.photons[near.1 as usize]);
         }
         found.square
     }
@@ -227,7 +236,7 @@ mod tests {
             (0..500).map(|_| Photon::new(random.vector(3.0), -Vec3::Y, Rgb::WHITE)).collect();
         let gathering =
             Gathering { gather: [5, 20], radius: Some(1.5), radius_factor: 1.0, expand: (0.2, 35) };
-        let map = PhotonMap::new(photons.clone(), &gathering);
+        let map = PhotonMap::new(photons.clone(), false, &gathering);
         for _ in 0..50 {
             let point = random.vector(3.0);
             let mut squares: Vec<f64> =

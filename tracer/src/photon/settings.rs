@@ -79,6 +79,16 @@ impl Allowed {
         }
     }
 
+    /// For how many a photon counts when `count` is shared out: what may split it takes half as much again each way
+    /// (probed).
+    pub fn effort(self) -> f64 {
+        if self.reflection && self.refraction {
+            2.25
+        } else {
+            1.0
+        }
+    }
+
     /// Whether any photons leave the object.
     pub fn any(self) -> bool {
         self.reflection || self.refraction

@@ -40,11 +40,6 @@ pub struct Shot {
 }
 
 impl Aim {
-    /// The area, seen from the light, in which photons are shot.
-    pub fn area(&self) -> f64 {
-        PI * self.radius * self.radius
-    }
-
     /// Angle or distance from the axis of the outermost ring, and between rings.
     fn reach(&self) -> (f64, f64) {
         let distance = (self.center - self.origin).length();

@@ -1,5 +1,7 @@
 //! SDL: `photons { ... }`: the pass that shoots photons before the picture is rendered.
 
+use std::f64::consts::PI;
+
 use rayon::prelude::*;
 
 use super::{Job, Random};
@@ -36,31 +38,34 @@ impl Job {
             .unzip();
         let [surfaces, media] = &settings.gathering;
         PhotonMaps {
-            surfaces: PhotonMap::new(fallen.concat(), surfaces),
-            media: PhotonMap::new(floating.concat(), media),
+            surfaces: PhotonMap::new(fallen.concat(), false, surfaces),
+            media: PhotonMap::new(floating.concat(), true, media),
         }
     }
 
     /// Each light with each target that does something to its photons.
     fn aims(&self, settings: &Settings) -> Vec<Aim> {
         let geometry = &self.scene.geometry;
-        let mut aims = Vec::new();
+        let (mut aims, mut expected) = (Vec::new(), 0.0);
         for (number, light) in self.scene.lights.iter().enumerate() {
             for target in geometry.top() {
                 let looks = geometry.looks(target);
                 let Some(factor) = looks.photons.as_ref().and_then(|p| p.target) else { continue };
                 let extent = geometry.node(target).extent.surface;
-                if !Allowed::new(light.photons.as_ref(), looks).any()
-                    || !extent.is_finite()
-                    || extent.is_empty()
-                {
+                let allowed = Allowed::new(light.photons.as_ref(), looks);
+                if !allowed.any() || !extent.is_finite() || extent.is_empty() {
                     continue;
                 }
                 let center = (extent.min + extent.max) * 0.5;
                 let radius = (extent.max - extent.min).length() * 0.5;
                 let points = light.photon_points(center);
                 let share = 1.0 / points.len() as f64;
+                let spacing = settings.spacing * factor * share.sqrt().recip();
+                if spacing <= 0.0 {
+                    continue;
+                }
                 for origin in points {
+                    expected += PI * radius * radius / spacing.powi(2) * allowed.effort();
                     aims.push(Aim {
                         light: number as u32,
                         origin,
@@ -69,15 +74,13 @@ impl Job {
                         center,
                         radius,
                         parallel: light.towards_parallel.map(|towards| -towards),
-                        spacing: settings.spacing * factor * share.sqrt().recip(),
+                        spacing,
                     });
                 }
             }
         }
-        aims.retain(|aim| aim.spacing > 0.0);
-        let shots: f64 = aims.iter().map(|aim| aim.area() / aim.spacing.powi(2)).sum();
-        let wanted = settings.count.map_or(shots, |count| count.max(1) as f64).min(MOST_PHOTONS);
-        let factor = (shots / wanted).sqrt();
+        let wanted = settings.count.map_or(expected, |count| count.max(1) as f64).min(MOST_PHOTONS);
+        let factor = (expected / wanted).sqrt();
         aims.iter_mut().for_each(|aim| aim.spacing *= factor);
         aims
     }

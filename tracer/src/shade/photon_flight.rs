@@ -17,6 +17,9 @@ use crate::photon::{Aim, Allowed, Photon, Shot};
 struct Flown {
     /// What it stands for: light times area, or times solid angle.
     flux: Rgb,
+    /// What of it counts, of 1 at the start, when it is asked whether it is worth following: filters count by their
+    /// brightness, mirrors by the square of their strongest channel (probed).
+    weight: f64,
     /// The length of its way.
     travelled: f64,
     /// How many surfaces it has met.
@@ -28,6 +31,10 @@ impl Flown {
         Flown { flux, ..self }
     }
 
+    fn share(self, flux: Rgb, weight: f64) -> Flown {
+        Flown { flux, weight: self.weight * weight, ..self }
+    }
+
     fn next(self) -> Flown {
         Flown { level: self.level + 1, ..self }
     }
@@ -37,7 +44,7 @@ impl Flown {
 struct Flight<'a> {
     /// The light that it comes from.
     light: u32,
-    /// Light fainter than this in every channel is dropped.
+    /// What counts less than this is dropped.
     faint: f64,
     /// The longest chain.
     limit: u32,
@@ -66,10 +73,10 @@ impl Tracer<'_> {
         let point = path.ray.at(hit.crossing.t);
         let beam = light.beam.strength(point, aim.origin, -shot.ray.direction);
         let flux = light.color.mul_each(passed) * (beam * shot.spread * aim.share);
-        let faint = settings.adc_bailout * flux.max_element();
+        let faint = settings.adc_bailout;
         let (limit, apart) = (settings.max_trace_level, shot.spread.sqrt());
         let mut flight = Flight { light: aim.light, faint, limit, apart, fallen, floating };
-        let flown = Flown { flux, travelled: (point - shot.ray.origin).length(), level: 1 };
+        let flown = Flown { flux, weight: 1.0, travelled: (point - shot.ray.origin).length(), level: 1 };
         self.carry_on(&path, &hit, flown, &mut flight);
     }
 
@@ -98,7 +105,7 @@ impl Tracer<'_> {
 
     /// A photon on its way after a mirror or lens.
     fn fly(&mut self, path: &Path, flown: Flown, flight: &mut Flight) {
-        if flown.flux.max_element() <= flight.faint || flown.level > flight.limit {
+        if flown.flux == Rgb::BLACK || flown.weight <= flight.faint || flown.level > flight.limit {
             return;
         }
         let geometry = &self.scene.geometry;
@@ -184,7 +191,14 @@ impl Tracer<'_> {
         }
         let (shares, frame) = texture.shares(spot, frame);
         for (inner, share) in shares {
-            self.through_texture(spot, &frame, inner, flown.with(flown.flux * share), allowed, flight);
+            self.through_texture(
+                spot,
+                &frame,
+                inner,
+                flown.share(flown.flux * share, share),
+                allowed,
+                flight,
+            );
         }
     }
 
@@ -197,7 +211,7 @@ impl Tracer<'_> {
         allowed: Allowed,
         flight: &mut Flight,
     ) {
-        let mut left = flown.flux;
+        let (mut left, mut weight) = (flown.flux, 1.0);
         let mut top_normal = spot.normal;
         for (number, layer) in layers.iter().enumerate() {
             let normal = layer.perturbed(spot, frame);
@@ -209,16 +223,18 @@ impl Tracer<'_> {
             if let Some(mirror) = &layer.finish.reflection {
                 let share = self.reflectivity(spot, mirror, normal, color.rgb);
                 if allowed.reflection {
-                    self.mirror_photon(spot, normal, flown.with(left.mul_each(share)), flight);
+                    let counts = weight * mirror.strength(share) * share.max_element();
+                    self.mirror_photon(spot, normal, flown.share(left.mul_each(share), counts), flight);
                 }
                 if layer.finish.conserve_energy {
                     passes = passes.mul_each(share.map(|s| (1.0 - s).max(0.0)));
                 }
             }
             left = left.mul_each(passes);
+            weight *= passes.gray();
         }
         if allowed.refraction {
-            self.refract_photon(spot, top_normal, flown.with(left), flight);
+            self.refract_photon(spot, top_normal, flown.share(left, weight), flown.flux, flight);
         }
     }
 
@@ -228,30 +244,40 @@ impl Tracer<'_> {
         self.fly(&path, flown.next(), flight);
     }
 
-    /// Dispersion parts a photon by colour.
-    fn refract_photon(&mut self, spot: &Spot, normal: Vec3, flown: Flown, flight: &mut Flight) {
+    /// What goes on of a photon that brought light `whole`. Dispersion parts it by colour.
+    fn refract_photon(&mut self, spot: &Spot, normal: Vec3, flown: Flown, whole: Rgb, flight: &mut Flight) {
         let ratio = 1.0 / self.relative_ior(spot);
         match (self.dispersion(spot), spot.path.band) {
-            (None, _) => self.bend_photon(spot, normal, ratio, flown, flight),
+            (None, _) => self.bend_photon(spot, normal, ratio, flown, whole, flight),
             (Some(dispersion), Some(band)) => {
-                self.bend_photon(spot, normal, band.bends(ratio, dispersion), flown, flight);
+                self.bend_photon(spot, normal, band.bends(ratio, dispersion), flown, whole, flight);
             }
             (Some(dispersion), None) => {
                 let count = self.scene.dispersion_samples(spot.body);
                 for band in Band::all(count) {
                     let path = Path { band: Some(band), ..*spot.path };
-                    let part = flown.with(flown.flux.mul_each(band.hue()) * (1.0 / count as f64));
+                    let hue = band.hue() * (1.0 / count as f64);
+                    let (part, whole) = (flown.with(flown.flux.mul_each(hue)), whole.mul_each(hue));
                     let spot = Spot { path: &path, ..*spot };
-                    self.bend_photon(&spot, normal, band.bends(ratio, dispersion), part, flight);
+                    self.bend_photon(&spot, normal, band.bends(ratio, dispersion), part, whole, flight);
                 }
             }
         }
     }
 
-    fn bend_photon(&mut self, spot: &Spot, normal: Vec3, ratio: f64, flown: Flown, flight: &mut Flight) {
+    /// What is mirrored inside loses nothing to the surface (probed).
+    fn bend_photon(
+        &mut self,
+        spot: &Spot,
+        normal: Vec3,
+        ratio: f64,
+        flown: Flown,
+        whole: Rgb,
+        flight: &mut Flight,
+    ) {
         match refracted(spot.path.ray.direction, normal, ratio) {
             Some(direction) => self.fly(&onward(spot, direction), flown.next(), flight),
-            None => self.mirror_photon(spot, normal, flown, flight),
+            None => self.mirror_photon(spot, normal, flown.with(whole), flight),
         }
     }
 }
