@@ -178,7 +178,8 @@ impl Primitive for Isosurface {
         };
         let on_container = |c: Crossing| Crossing { part: c.part + SURFACE + 1, ..c };
         let first = search.sample(start);
-        let from_inside = enter.t <= 0.0;
+        // A ray that left the container's face may seem to start just before it.
+        let from_inside = enter.t <= self.accuracy;
         if !from_inside {
             // The search goes on as from outside: it finds the surface at once, just behind the container.
             if !self.open && first.height < 0.0 {
