@@ -7,7 +7,7 @@ attributes.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from math import inf
 from operator import itemgetter
 from struct import Struct
@@ -37,9 +37,6 @@ class Vector(tuple[float, ...]):
     """
 
     __slots__ = ()
-
-    def __new__(cls, terms: Iterable[float]) -> Vector:
-        return _new(cls, terms)
 
     def padded(self, size: int) -> tuple[float, ...]:
         """The terms, with zeros up to ``size``."""

@@ -26,6 +26,7 @@ FLAGS: Final = {
     "no_radiosity": boolean("no_radiosity"),
     "double_illuminate": boolean("double_illuminate"),
 }
+_FLAG_WORDS: Final = frozenset({*FLAGS, "inverse", "uv_mapping"})
 BLOCKS: Final = (
     "texture",
     "interior_texture",
@@ -131,7 +132,7 @@ def _with_material(thing: Object, material: Material, reader: ItemReader) -> Obj
 def _flagged(reader: ItemReader, context: Context, thing: Object) -> Modifiers | None:
     """Flags, photons, radiosity, clipping and bounding."""
     old = thing.modifiers
-    word = reader.word(*FLAGS, "inverse", "uv_mapping")
+    word = reader.word_of(_FLAG_WORDS)
     if word == "inverse":
         return replace(old, inverse=not old.inverse)
     if word == "uv_mapping":

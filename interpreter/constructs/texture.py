@@ -79,14 +79,16 @@ def modified_texture(reader: ItemReader, context: Context, texture: Texture | No
     if not isinstance(base, PlainTexture | LayeredTexture):
         reader.refuse("no pigment, normal or finish on a patterned texture", "only plain textures can be layers")
     reader.take()
-    name, items = item.name, item.reader.again()
     *lower, top = layers(base)
-    if name == "pigment":
-        top = replace(top, pigment=read_pigment(items, context, top.pigment))
-    elif name == "normal":
-        top = replace(top, normal=read_normal(items, context, top.normal or SMOOTH))
-    else:
-        top = replace(top, finish=read_finish(items, context, top.finish))
+    pigment, normal, finish = top.pigment, top.normal, top.finish
+    match item.name:
+        case "pigment":
+            pigment = read_pigment(item.reader.again(), context, pigment)
+        case "normal":
+            normal = read_normal(item.reader.again(), context, normal or SMOOTH)
+        case "finish":
+            finish = read_finish(item.reader.again(), context, finish)
+    top = PlainTexture(pigment, normal, finish)
     return LayeredTexture((*lower, top)) if lower else top
 
 

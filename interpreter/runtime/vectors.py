@@ -33,13 +33,16 @@ def vrotate(v: Any, angles: Any) -> Vector:
     a, b, c = vector3(v)
     about_x, about_y, about_z = vector3(angles)
     if about_x:
-        co, si = cos(radians(about_x)), sin(radians(about_x))
+        angle = radians(about_x)
+        co, si = cos(angle), sin(angle)
         b, c = b * co - c * si, b * si + c * co
     if about_y:
-        co, si = cos(radians(about_y)), sin(radians(about_y))
+        angle = radians(about_y)
+        co, si = cos(angle), sin(angle)
         a, c = a * co + c * si, c * co - a * si
     if about_z:
-        co, si = cos(radians(about_z)), sin(radians(about_z))
+        angle = radians(about_z)
+        co, si = cos(angle), sin(angle)
         a, b = a * co - b * si, a * si + b * co
     return Vector((a, b, c))
 
