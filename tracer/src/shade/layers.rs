@@ -122,7 +122,7 @@ impl Tracer<'_> {
                 // Transparency does not lessen it (probed).
                 own += self.subsurface_light(spot, stuff, settings, normal, color.rgb, weight * through);
             }
-            if self.photons.is_some() {
+            if self.photons.is_some() && finish.lit {
                 own += self.photon_light(spot, finish, normal, color.rgb, opacity);
             }
             if finish.diffuse[0] != 0.0 && self.indirect.is_some() {
