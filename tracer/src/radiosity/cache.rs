@@ -24,14 +24,18 @@ pub struct Gathered {
     pub bounces: u32,
 }
 
-/// Gathered light in cubes of different sizes: each lies in the cubes that it reaches, of the size next to its reach.
+/// Gathered light in cubes of different sizes: each lies in the cubes that it reaches, of the size next to its reach,
+/// among those that as many others led to.
 #[derive(Debug, Default)]
 pub struct Cache {
     gathered: Vec<Gathered>,
-    cubes: FxHashMap<(i32, [i64; 3]), Vec<Gathered>>,
-    /// The sizes in use, as powers of two.
-    sizes: Vec<i32>,
+    cubes: FxHashMap<(Grid, [i64; 3]), Vec<Gathered>>,
+    /// The grids in use.
+    grids: Vec<Grid>,
 }
+
+/// `bounces`, and the edge of the cubes as a power of two.
+type Grid = (u32, i32);
 
 /// A weighted mean in the making.
 #[derive(Clone, Copy, Debug, Default)]
@@ -91,8 +95,9 @@ impl Cache {
     /// Adds light that points up to `reach` away may use.
     pub fn insert(&mut self, gathered: Gathered, reach: f64) {
         let size = (2.0 * reach).max(1e-9).log2().ceil() as i32;
-        if !self.sizes.contains(&size) {
-            self.sizes.push(size);
+        let grid = (gathered.bounces, size);
+        if !self.grids.contains(&grid) {
+            self.grids.push(grid);
         }
         let (low, high) = (
             cube(gathered.point - Vec3::splat(reach), size),
@@ -101,7 +106,7 @@ impl Cache {
         for x in low[0]..=high[0] {
             for y in low[1]..=high[1] {
                 for z in low[2]..=high[2] {
-                    self.cubes.entry((size, [x, y, z])).or_default().push(gathered);
+                    self.cubes.entry((grid, [x, y, z])).or_default().push(gathered);
                 }
             }
         }
@@ -117,17 +122,14 @@ impl Cache {
     pub fn clear(&mut self) {
         self.gathered.clear();
         self.cubes.clear();
-        self.sizes.clear();
+        self.grids.clear();
     }
 
     /// Adds to a mean what may be reused at a point: differences below `bound`, through as many others.
     pub fn collect(&self, point: Vec3, normal: Vec3, bound: f64, bounces: u32, mean: &mut Mean) {
-        for &size in &self.sizes {
-            let Some(near) = self.cubes.get(&(size, cube(point, size))) else { continue };
+        for &grid in self.grids.iter().filter(|grid| grid.0 == bounces) {
+            let Some(near) = self.cubes.get(&(grid, cube(point, grid.1))) else { continue };
             for gathered in near {
-                if gathered.bounces != bounces {
-                    continue;
-                }
                 let weight = gathered.weight(point, normal, bound);
                 if weight > 0.0 {
                     mean.sum += gathered.light * weight;

@@ -58,4 +58,10 @@ impl Settings {
     pub fn rays(&self, bounces: u32) -> usize {
         (self.count >> bounces.min(30)).max(1)
     }
+
+    /// How different a point may be that reuses light thrown by way of `bounces` others (probed roughly: POV-Ray's grows
+    /// with them, a little less with a small `low_error_factor`).
+    pub fn bound(&self, bounces: u32) -> f64 {
+        self.error_bound * f64::from(bounces.saturating_sub(1)).exp2()
+    }
 }

@@ -23,7 +23,7 @@ impl Job {
         let mut step = start;
         loop {
             for gathered in self.pass(settings, photons, &cache, size, step) {
-                cache.insert(gathered, gathered.reach(settings.error_bound));
+                cache.insert(gathered, gathered.reach(settings.bound(gathered.bounces)));
             }
             if step <= end || self.is_cancelled() {
                 return cache;

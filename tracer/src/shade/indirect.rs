@@ -19,8 +19,13 @@ impl Tracer<'_> {
         }
         let pole = if settings.normal { normal } else { spot.normal };
         let mut mean = Mean::default();
+        // Coarse passes are more careful with light that is seen at once, not with what it was thrown by.
+        let bound = match indirect.bounces {
+            0 => indirect.error_bound,
+            bounces => settings.bound(bounces),
+        };
         for cache in [indirect.shared, &indirect.own] {
-            cache.collect(spot.point, pole, indirect.error_bound, indirect.bounces, &mut mean);
+            cache.collect(spot.point, pole, bound, indirect.bounces, &mut mean);
         }
         let enough = if indirect.take_any || indirect.bounces > 0 { 1 } else { settings.nearest_count };
         let light =
@@ -60,7 +65,7 @@ impl Tracer<'_> {
         if let Some(indirect) = &mut self.indirect {
             let gathered =
                 Gathered { point: spot.point, normal: pole, light, radius, nearest, toward, bounces };
-            indirect.own.insert(gathered, gathered.reach(settings.error_bound));
+            indirect.own.insert(gathered, gathered.reach(settings.bound(bounces)));
         }
         light
     }
