@@ -110,7 +110,10 @@ FEATURES: dict[str, list[Row]] = {
         ("`user_defined` (3.8)", "tests/tracer/test_additions.py"),
     ],
     "Patterns": [(f"`{name}`{_PART.get(name, '')}", f"pattern_{name} pattern_{name}_*") for name in PATTERNS]
-    + [("`tiling` 25 to 27", "pattern_tiling_aperiodic*")],
+    + [
+        ("`tiling` 25 to 27", "pattern_tiling_aperiodic*"),
+        ("`crackle` with `repeat` (3.8)", "tests/tracer/test_additions.py"),
+    ],
     "Pattern modifiers": [
         ("waves: `ramp_wave`, `sine_wave`, `triangle_wave`, `scallop_wave`, `cubic_wave`, `poly_wave`",
          "wave_*_wave wave_blocks pattern_value_range"),

@@ -49,6 +49,15 @@ def picture(objects: str) -> NDArray[np.int64]:
             "difference { merge { torus { 0.4, 0.8 difference } torus { 0.4, 0.8 intersection } } "
             "box { <-2, -2, -2>, <2, 2, 0> } pigment { rgb 1 } }",
         ),
+        # Points that come again: far from the seams nothing has changed, and moved by a period nothing has.
+        (
+            "box { -1, 1 pigment { crackle repeat 100 translate -50 } }",
+            "box { -1, 1 pigment { crackle translate -50 } }",
+        ),
+        (
+            "box { -1, 1 pigment { crackle repeat <2, 3, 0> scale 0.2 } }",
+            "box { -1, 1 pigment { crackle repeat <2, 3, 0> translate <2, -3, 0> scale 0.2 } }",
+        ),
         (
             "box { -1, 1 pigment { user_defined { function { x } function { 0.5 } function { z } } } }",
             "box { -1, 1 pigment { average pigment_map { "

@@ -72,6 +72,7 @@ impl Builder {
                 metric: c.metric,
                 offset: c.offset,
                 solid: c.solid,
+                repeat: <[f64; 3]>::from(c.repeat).map(|v| v.max(0.0) as i64),
             }),
             graph::Pattern::Gradient(gradient) => PatternKind::Gradient(gradient.direction.normalized()),
             graph::Pattern::Quilted(quilted) => PatternKind::Quilted {

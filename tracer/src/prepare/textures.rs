@@ -113,6 +113,14 @@ impl Builder<'_> {
     }
 
     fn layer(&mut self, plain: &graph::PlainTexture) -> Layer {
+        for (said, word) in [
+            (plain.finish.fresnel != 0.0, "fresnel of a finish"),
+            (plain.finish.use_alpha, "use_alpha of a finish"),
+        ] {
+            if said {
+                self.patterns.leave_out(word);
+            }
+        }
         let quick = plain.pigment.quick_color.filter(|_| self.quality.quick_colors);
         Layer {
             pigment: quick.map_or_else(|| self.patterns.pigment(&plain.pigment), Pigment::Solid),

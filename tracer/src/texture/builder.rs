@@ -82,6 +82,9 @@ impl Builder {
         match &node.blend {
             None => Pigment::with_default_map(pattern),
             Some(graph::PigmentBlend::Colors(map)) => {
+                if map.blend_mode > 1 {
+                    self.leave_out("blend_mode 2 or 3");
+                }
                 Pigment::Colors(Arc::new((pattern, ColorMap::from(map))))
             }
             Some(graph::PigmentBlend::Pigments(map)) => {
