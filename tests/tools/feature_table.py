@@ -188,7 +188,7 @@ FEATURES: dict[str, list[Row]] = {
     ],
     "Atmosphere": [
         ("`background`", "background"),
-        ("`fog` of types 1 and 2, turbulence, several fogs, with lamps and media", "fog_*"),
+        ("`fog` of types 1 and 2, turbulence, several fogs", "fog_*"),
         ("`sky_sphere`", "sky_sphere*"),
         ("`rainbow`: arcs, fading ends, several, with fog and media", "rainbow*"),
     ],
@@ -203,7 +203,7 @@ FEATURES: dict[str, list[Row]] = {
         ("`media`: `method` 1", "media_monte_carlo*"),
         ("`media`: methods, densities, atmospheric media",
          "media_method* media_density* media_atmosphere* media_beams media_intervals media_several"),
-        ("`media_attenuation`, `media_interaction`", "media_attenuation* fog_lamp"),
+        ("`media_attenuation`", "media_attenuation* fog_lamp"),
     ],
     "Global illumination": [
         ("`radiosity`", "radiosity*"),

@@ -60,7 +60,7 @@ impl Settings {
     }
 
     /// How different a point may be that reuses light thrown by way of `bounces` others (probed roughly: POV-Ray's grows
-    /// with them, a little less with a small `low_error_factor`).
+    /// with them; in POV-Ray `low_error_factor` changes it much more than here).
     pub fn bound(&self, bounces: u32) -> f64 {
         self.error_bound * f64::from(bounces.saturating_sub(1)).exp2()
     }
