@@ -218,13 +218,6 @@ impl<'a> Preparation<'a> {
         for &clip in &clipped_by {
             extents::clip(&mut extent, &self.geometry.nodes[clip as usize].extent);
         }
-        // Rays that miss a bounding object see nothing of what it bounds, so an endless object needs no endless box.
-        if !extent.surface.is_finite() {
-            for &bound in &bounded_by {
-                extent.surface =
-                    extent.surface.intersection(&self.geometry.nodes[bound as usize].extent.solid);
-            }
-        }
         let hidden = [
             (RayKind::Camera, looks.no_image),
             (RayKind::Reflected, looks.no_reflection),
