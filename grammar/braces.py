@@ -11,12 +11,9 @@ from collections.abc import Sequence
 from typing import Final
 
 from lark import Token
-from minipov.grammar.keywords import DIRECTIVES
+from minipov.grammar.keywords import DIRECTIVE_TOKENS, DIVIDING, OPENING
 
-_OPENING: Final = frozenset({"IF", "IFDEF", "IFNDEF", "SWITCH", "WHILE", "FOR", "MACRO"})
-_DIVIDING: Final = frozenset({"ELSE", "ELSEIF", "CASE", "RANGE"})
-_HEADED: Final = (_OPENING | _DIVIDING) - {"ELSE", "MACRO"}
-_DIRECTIVES: Final = frozenset(map(str.upper, DIRECTIVES))
+_HEADED: Final = (OPENING | DIVIDING) - {"ELSE", "MACRO"}
 _OPERATORS: Final = frozenset({"PLUS", "MINUS", "STAR", "SLASH", "BANG"})
 _BODY_EDGES: Final = frozenset({"ELSE", "END", "HEAD_END"})
 
@@ -44,7 +41,7 @@ def mark_loose_braces(tokens: Sequence[Token]) -> Sequence[Token]:
     heads: list[Token] = []
     for token in tokens:
         kind = token.type
-        if before is not None and kind in _DIRECTIVES and before.type in _OPERATORS:
+        if before is not None and kind in DIRECTIVE_TOKENS and before.type in _OPERATORS:
             before.type = "LOOSE_OPERATOR"
         elif kind in {"STAR", "SLASH"} and previous in _BODY_EDGES:
             token.type = "LOOSE_OPERATOR"
@@ -60,9 +57,9 @@ def mark_loose_braces(tokens: Sequence[Token]) -> Sequence[Token]:
             if heads and opening is heads[-1]:
                 heads.pop()
                 previous = "HEAD_END"
-        elif kind in _OPENING:
+        elif kind in OPENING:
             open_marks.append(None)
-        elif kind in _DIVIDING:
+        elif kind in DIVIDING:
             close_body()
             open_marks.append(None)
         elif kind == "END":

@@ -8,7 +8,7 @@ from typing import Final
 from lark import Token
 from lark.exceptions import UnexpectedInput
 from minipov.grammar.errors import SdlSyntaxError
-from minipov.grammar.keywords import KEYWORDS
+from minipov.grammar.keywords import KEYWORDS, OPENING
 from minipov.grammar.lexer import tokenize
 
 _TERMINAL_NAMES: Final = {
@@ -19,7 +19,6 @@ _TERMINAL_NAMES: Final = {
 
 _CLOSERS: Final = {"LPAR": "RPAR", "LESS": "MORE", "LSQB": "RSQB", "LBRACE": "RBRACE"}
 _OPERAND_ENDS: Final = frozenset({"NUMBER", "NAME", "RPAR", "MORE", "CONSTANT", "RSQB", "STRING"})
-_BODIES: Final = frozenset({"IF", "IFDEF", "IFNDEF", "SWITCH", "WHILE", "FOR", "MACRO"})
 
 
 def explain(error: UnexpectedInput, text: str, path: str) -> SdlSyntaxError:
@@ -66,9 +65,9 @@ def _open_at(text: str, stop: int | None) -> list[Token]:
         if stop is not None and token.start_pos is not None and token.start_pos >= stop:
             break
         kind = token.type
-        if kind in _BODIES or kind in {"LPAR", "LBRACE", "LSQB"} or (kind == "LESS" and previous not in _OPERAND_ENDS):
+        if kind in OPENING or kind in {"LPAR", "LBRACE", "LSQB"} or (kind == "LESS" and previous not in _OPERAND_ENDS):
             stack.append(token)
-        elif stack and (kind == _CLOSERS.get(stack[-1].type) or (kind == "END" and stack[-1].type in _BODIES)):
+        elif stack and (kind == _CLOSERS.get(stack[-1].type) or (kind == "END" and stack[-1].type in OPENING)):
             stack.pop()
         previous = kind
     return stack

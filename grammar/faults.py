@@ -11,7 +11,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Final
 
+from minipov.grammar.comments import comment_end
 from minipov.grammar.errors import SdlSyntaxError
+from minipov.grammar.keywords import DIVIDING, OPENING
 
 FAULT: Final = "\x02"
 """Stands in the text where such a body begins; blanks fill the rest of it."""
@@ -20,9 +22,6 @@ _MARKS: Final = re.compile(
     r"""//[^\n]* | (?P<comment>/\*) | "(?:[^"\\]|\\.)*" | (?P<bracket>[()]) | \#[ \t\r\n]*(?P<word>[A-Za-z_]\w*)""",
     re.VERBOSE | re.DOTALL,
 )
-_COMMENT_EDGE: Final = re.compile(r"/\*|\*/")
-_OPENING: Final = frozenset({"if", "ifdef", "ifndef", "switch", "while", "for", "macro"})
-_DIVIDING: Final = frozenset({"else", "elseif", "case", "range"})
 _NOT_BLANK: Final = re.compile(r"\S")
 
 
@@ -58,27 +57,18 @@ def _bodies(text: str) -> Iterator[tuple[int, int]]:
     while (mark := _MARKS.search(text, at)) is not None:
         at = mark.end()
         if mark["comment"]:
-            at = _comment_end(text, at)
+            at = comment_end(text, mark.start()) or len(text)
         elif mark["bracket"] and heads:
             heads[-1] += 1 if mark["bracket"] == "(" else -1
             if heads[-1] <= 0:
                 heads.pop()
                 starts[-1].append(at)
         elif mark["word"]:
-            word = mark["word"]
-            if word in _DIVIDING | {"end"} and starts:
+            word = mark["word"].upper()
+            if word in DIVIDING | {"END"} and starts:
                 yield from ((start, mark.start()) for start in starts.pop())
-            if word in _OPENING | _DIVIDING:
-                starts.append([at] if word == "else" else [])
-                heads = [] if word == "else" else [0]
-            elif word == "break" and starts and not heads:
+            if word in OPENING | DIVIDING:
+                starts.append([at] if word == "ELSE" else [])
+                heads = [] if word == "ELSE" else [0]
+            elif word == "BREAK" and starts and not heads:
                 starts[-1].append(at)
-
-
-def _comment_end(text: str, at: int) -> int:
-    depth = 1
-    for edge in _COMMENT_EDGE.finditer(text, at):
-        depth += 1 if edge.group() == "/*" else -1
-        if depth == 0:
-            return edge.end()
-    return len(text)

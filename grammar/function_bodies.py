@@ -16,12 +16,9 @@ from collections.abc import Callable, Sequence
 from typing import Final
 
 from lark import Token
-from minipov.grammar.keywords import DIRECTIVES
+from minipov.grammar.keywords import DIRECTIVE_TOKENS, DIVIDING, OPENING
 
-_DIRECTIVES: Final = frozenset(map(str.upper, DIRECTIVES))
-_HEADED: Final = frozenset(
-    {"IF", "IFDEF", "IFNDEF", "ELSEIF", "SWITCH", "CASE", "RANGE", "WHILE", "FOR", "READ", "WRITE"}
-)
+_HEADED: Final = (OPENING | DIVIDING | {"READ", "WRITE"}) - {"ELSE", "MACRO"}
 _SPEAKING: Final = frozenset(
     {"INCLUDE", "DEBUG", "WARNING", "ERROR", "RENDER", "STATISTICS", "UNDEF", "VERSION", "FCLOSE"}
 )
@@ -73,7 +70,7 @@ def _is_plain(body: Sequence[Token]) -> bool:
     """Whether there are neither directives nor operands side by side, which only a macro can join."""
     previous = ""
     for token in body:
-        if token.type in _DIRECTIVES or (token.type in _OPERANDS and previous in _ENDS):
+        if token.type in DIRECTIVE_TOKENS or (token.type in _OPERANDS and previous in _ENDS):
             return False
         previous = token.type
     return True
@@ -107,7 +104,7 @@ def _plain_end(tokens: Sequence[Token], at: int, is_macro: Callable[[str], bool]
         return _value_end(tokens, at + 2) + 1
     if token.type == "MACRO":
         return _matching_end(tokens, at)
-    if token.type in _DIRECTIVES:
+    if token.type in DIRECTIVE_TOKENS:
         return _value_end(tokens, at) if token.type in _HEADED else at + 1
     if token.type == "NAME" and following == "LPAR" and is_macro(token):
         return _value_end(tokens, at)
@@ -130,7 +127,7 @@ def _matching_end(tokens: Sequence[Token], at: int) -> int:
     """The end of a whole ``#macro``."""
     depth = 0
     for end in range(at, len(tokens)):
-        depth += tokens[end].type in {"IF", "IFDEF", "IFNDEF", "SWITCH", "WHILE", "FOR", "MACRO"}
+        depth += tokens[end].type in OPENING
         depth -= tokens[end].type == "END"
         if not depth:
             return end + 1

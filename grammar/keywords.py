@@ -69,3 +69,10 @@ def _directive_table(lines: str) -> dict[str, tuple[str, str]]:
 
 DIRECTIVES: Final[dict[str, tuple[str, str]]] = _directive_table(DIRECTIVE_LINES)
 """The words that may follow ``#``, each with how it is written and what it does."""
+
+DIRECTIVE_TOKENS: Final = frozenset(map(str.upper, DIRECTIVES))
+"""The types of their tokens."""
+OPENING: Final = frozenset(name.upper() for name, (form, _) in DIRECTIVES.items() if form.endswith("... #end"))
+"""The types of those whose body ``#end`` closes."""
+DIVIDING: Final = frozenset({"ELSE", "ELSEIF", "CASE", "RANGE"})
+"""The types of those that end one body and begin the next."""

@@ -15,6 +15,7 @@ from typing import Any, Final
 import numpy as np
 from lark import Token
 from lark.lexer import Lexer
+from minipov.grammar.comments import comment_end
 from minipov.grammar.errors import SdlSyntaxError
 from minipov.grammar.keywords import DIRECTIVES, KEYWORDS, Kind
 from minipov.grammar.statements import find_run
@@ -38,7 +39,6 @@ _TOKEN: Final = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
-_COMMENT_EDGE: Final = re.compile(r"/\*|\*/")
 _BLANKED: Final = str.maketrans("<>,", "   ")
 
 PUNCTUATION: Final = {
@@ -158,7 +158,11 @@ def tokenize(
             yield Token(previous, value, start, line, column, line, column, at)
             continue
         if kind == "comment":
-            at = _comment_end(text, at, path, line, column)
+            closed = comment_end(text, start)
+            if closed is None:
+                hint = "add */ where it should end"
+                raise SdlSyntaxError("this comment is never closed", path, line, column, hint)
+            at = closed
             value = text[start:at]
         elif kind == "string":
             previous = "STRING"
@@ -197,15 +201,6 @@ def _bulk(value: str) -> Any:
     return numbers.reshape(-1, size), value.rstrip().endswith(",")
 
 
-def _comment_end(text: str, at: int, path: str, line: int, column: int) -> int:
-    depth = 1
-    for edge in _COMMENT_EDGE.finditer(text, at):
-        depth += 1 if edge.group() == "/*" else -1
-        if depth == 0:
-            return edge.end()
-    raise SdlSyntaxError("this comment is never closed", path, line, column, "add */ where it should end")
-
-
 def _run(text: str, at: int) -> str:
     match = re.compile(r"[\w.]+").match(text, at)
     return match.group() if match else text[at]
@@ -239,7 +234,7 @@ class SdlLexer(Lexer):
     def __init__(self, lexer_conf: Any) -> None:
         """Lark hands over its configuration; the table of keywords says all that is needed."""
 
-    def lex(self, data: Source) -> Iterator[Token]:  # type: ignore[override]
+    def lex(self, data: Source) -> Iterator[Token]:  # type: ignore[override]  # to Lark the data is any object
         """Tokens of a source, marked as the grammar expects them."""
         from minipov.grammar.braces import mark_loose_braces
         from minipov.grammar.function_bodies import function_tokens, mark_function_bodies

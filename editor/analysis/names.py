@@ -12,7 +12,8 @@ from typing import Final, Literal, TypeAlias
 from lark import Token
 from minipov.editor.analysis.document import Document
 from minipov.editor.analysis.scanning import comments
-from minipov.editor.analysis.statements import OPENING, Statement
+from minipov.editor.analysis.statements import Statement
+from minipov.grammar.keywords import OPENING
 
 NameKind: TypeAlias = Literal["macro", "function", "value", "parameter", "counter", "file"]
 

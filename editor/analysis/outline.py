@@ -10,7 +10,8 @@ from minipov.editor.analysis.document import Document
 from minipov.editor.analysis.language import SCENE
 from minipov.editor.analysis.names import NameKind, names_in
 from minipov.editor.analysis.scanning import comments
-from minipov.editor.analysis.statements import DIVIDING, OPENING, Statement
+from minipov.editor.analysis.statements import Statement
+from minipov.grammar.keywords import DIVIDING, OPENING
 
 _BODY_ENDS: Final = DIVIDING | {"END"}
 _BRACE_ENDS: Final = frozenset({"RBRACE", "LOOSE_RBRACE"})

@@ -14,7 +14,8 @@ from typing import Final, TypeAlias
 from lark import Token
 from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.recovery import parse_tokens
-from minipov.editor.analysis.statements import DIVIDING, OPENING, Statement
+from minipov.editor.analysis.statements import Statement
+from minipov.grammar.keywords import DIVIDING, OPENING
 
 LARGE: Final = 1000
 """Tokens from which on a statement is checked in parts."""

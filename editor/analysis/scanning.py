@@ -8,12 +8,12 @@ from typing import Final
 
 from lark import Token
 from minipov.editor.analysis.problem import Problem
+from minipov.grammar.comments import comment_end
 from minipov.grammar.errors import SdlSyntaxError
 from minipov.grammar.lexer import tokenize
 
 _UNREADABLE: Final = re.compile(r"/\*.*|\"[^\n]*|#[ \t\r\n]*\w+|[\w.]+|.", re.DOTALL)
 _BLANKS_OR_COMMENT: Final = re.compile(r"[^\S\n]*(?://[^\n]*)?")
-_COMMENT_EDGE: Final = re.compile(r"/\*|\*/")
 _SPACE: Final = re.compile(r"\s*")
 
 
@@ -46,16 +46,6 @@ def _offset(text: str, start: int, line: int, column: int) -> int:
     return start + column - 1
 
 
-def comment_end(text: str, start: int) -> int:
-    """Where the block comment that opens at ``start`` ends; it may hold others."""
-    depth = 0
-    for edge in _COMMENT_EDGE.finditer(text, start):
-        depth += 1 if edge.group() == "/*" else -1
-        if depth == 0:
-            return edge.end()
-    return len(text)
-
-
 def comments(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
     """The comments between two tokens."""
     while True:
@@ -64,7 +54,7 @@ def comments(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
             stop = text.find("\n", start, end)
             stop = end if stop < 0 else stop
         elif text.startswith("/*", start, end):
-            stop = min(comment_end(text, start), end)
+            stop = min(comment_end(text, start) or end, end)
         else:
             return
         yield start, stop
@@ -79,4 +69,4 @@ def line_break(text: str, start: int, end: int) -> int | None:
             return start + 1
         if not text.startswith("/*", start, end):
             return None
-        start = comment_end(text, start)
+        start = comment_end(text, start) or len(text)

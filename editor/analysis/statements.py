@@ -18,6 +18,7 @@ from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.scanning import line_break, scan
 from minipov.grammar.braces import mark_loose_braces
 from minipov.grammar.function_bodies import mark_function_bodies
+from minipov.grammar.keywords import DIRECTIVE_TOKENS, DIVIDING, OPENING
 from minipov.grammar.lexer import PUNCTUATION
 
 T = TypeVar("T")
@@ -25,12 +26,7 @@ T = TypeVar("T")
 Reuse: TypeAlias = Callable[[int], list[Token]]
 """The tokens that are known of the statement at an offset, from before an edit."""
 
-OPENING: Final = frozenset({"IF", "IFDEF", "IFNDEF", "SWITCH", "WHILE", "FOR", "MACRO"})
-DIVIDING: Final = frozenset({"ELSE", "ELSEIF", "CASE", "RANGE"})
-STARTING: Final = OPENING | {
-    "DECLARE", "LOCAL", "UNDEF", "INCLUDE", "DEFAULT", "VERSION", "DEBUG", "WARNING", "ERROR", "RENDER", "STATISTICS",
-    "FOPEN", "FCLOSE", "READ", "WRITE", "BREAK", "MAX_TRACE_LEVEL", "MAX_INTERSECTIONS",
-}  # fmt: skip
+STARTING: Final = DIRECTIVE_TOKENS - DIVIDING - {"END"}
 """Directives that may open a statement."""
 
 BRACKETS: Final = {"{": "}", "(": ")", "[": "]", "<": ">"}

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from lark import Token
-from minipov.editor.analysis.statements import OPENING
+from minipov.grammar.keywords import OPENING
 
 _CLOSES: Final = {"RBRACE": "{", "LOOSE_RBRACE": "{", "RPAR": "(", "LOOSE_RPAR": "(", "RSQB": "[", "MORE": "<"}
 _BRACES: Final = frozenset({"LBRACE", "LOOSE_LBRACE"})

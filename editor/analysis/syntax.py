@@ -10,7 +10,8 @@ from minipov.editor.analysis.document import Document
 from minipov.editor.analysis.parts import LARGE, Known, problems_by_parts
 from minipov.editor.analysis.problem import Problem
 from minipov.editor.analysis.recovery import parse
-from minipov.editor.analysis.statements import DIVIDING, OPENING, Statement
+from minipov.editor.analysis.statements import Statement
+from minipov.grammar.keywords import DIVIDING, OPENING
 
 
 def tree_of(statement: Statement) -> tuple[Any, ...]:

@@ -6,11 +6,9 @@ from collections.abc import Iterable
 from typing import Final
 
 from minipov.editor.analysis.language import BLOCKS
-from minipov.grammar.keywords import DIRECTIVES, KEYWORDS, Kind
+from minipov.grammar.keywords import DIRECTIVES, DIVIDING, KEYWORDS, OPENING, Kind
 
-CONTROL: Final = frozenset(
-    {"if", "ifdef", "ifndef", "elseif", "else", "switch", "case", "range", "break", "while", "for", "end"}
-)
+CONTROL: Final = frozenset(map(str.lower, OPENING | DIVIDING | {"BREAK", "END"})) - {"macro"}
 """The directives that steer what is read."""
 
 CONSTANTS: Final = frozenset(k.name for k in KEYWORDS.values() if k.kind is Kind.CONSTANT)
