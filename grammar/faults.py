@@ -22,6 +22,8 @@ _MARKS: Final = re.compile(
     r"""//[^\n]* | (?P<comment>/\*) | "(?:[^"\\]|\\.)*" | (?P<bracket>[()]) | \#[ \t\r\n]*(?P<word>[A-Za-z_]\w*)""",
     re.VERBOSE | re.DOTALL,
 )
+_OPENING: Final = frozenset(map(str.lower, OPENING))
+_DIVIDING: Final = frozenset(map(str.lower, DIVIDING))
 _NOT_BLANK: Final = re.compile(r"\S")
 
 
@@ -49,26 +51,37 @@ class Faults:
         return True
 
 
+@dataclass
+class _Open:
+    """A directive that ``#end`` is still to close."""
+
+    head: int | None
+    """How many parentheses are open in its head; None where the head has been read or there is none."""
+    starts: list[int] = field(default_factory=list)
+    """Where its body begins, and where what ``#break`` skips."""
+
+
 def _bodies(text: str) -> Iterator[tuple[int, int]]:
     """Where the bodies of directives begin and end, as far as they are closed; and what ``#break`` skips of them."""
-    starts: list[list[int]] = []
-    heads: list[int] = []  # how many brackets are open in the head of a directive that is being read
+    stack: list[_Open] = []
     at = 0
     while (mark := _MARKS.search(text, at)) is not None:
         at = mark.end()
+        innermost = stack[-1] if stack else None
         if mark["comment"]:
             at = comment_end(text, mark.start()) or len(text)
-        elif mark["bracket"] and heads:
-            heads[-1] += 1 if mark["bracket"] == "(" else -1
-            if heads[-1] <= 0:
-                heads.pop()
-                starts[-1].append(at)
+        elif mark["bracket"] and innermost and innermost.head is not None:
+            innermost.head += 1 if mark["bracket"] == "(" else -1
+            if innermost.head <= 0:
+                innermost.head = None
+                innermost.starts.append(at)
         elif mark["word"]:
-            word = mark["word"].upper()
-            if word in DIVIDING | {"END"} and starts:
-                yield from ((start, mark.start()) for start in starts.pop())
-            if word in OPENING | DIVIDING:
-                starts.append([at] if word == "ELSE" else [])
-                heads = [] if word == "ELSE" else [0]
-            elif word == "BREAK" and starts and not heads:
-                starts[-1].append(at)
+            word = mark["word"]
+            if innermost and word in _DIVIDING | {"end"}:
+                yield from ((start, mark.start()) for start in stack.pop().starts)
+            if word == "else":
+                stack.append(_Open(None, [at]))
+            elif word in _OPENING | _DIVIDING:
+                stack.append(_Open(0))
+            elif innermost and word == "break" and innermost.head is None:
+                innermost.starts.append(at)

@@ -33,6 +33,18 @@ class SdlError(Exception):
         return f"{where(self.place)}error: {self.message}"
 
 
+class NotDeclaredError(SdlError):
+    """A name is used that stands for nothing."""
+
+    def __init__(self, name: str, hint: str | None = None) -> None:
+        super().__init__(f"'{name}' is not declared", hint=hint)
+        self.name = name
+
+
+class HaltedError(SdlError):
+    """The scene itself ends the run."""
+
+
 def where(place: Place) -> str:
     """A place as the start of a message line; empty if it is not known."""
     file, line, column = place

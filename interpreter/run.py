@@ -7,6 +7,7 @@ import sys
 import threading
 from collections.abc import Callable
 from contextvars import copy_context
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -93,9 +94,7 @@ def _read(name: str, content: bytes, context: Context, search: FileSearch, probl
     running.input_file_name = name
     running.library = library(running)
     if problems is not None:
-        running.load = lambda path, text: (
-            compile_text(path, text, recovering=True) if path == name else compiled(path, text)
-        )
+        running.load = partial(_compiled_recovering, name)
         running.library["recovered"] = Recovery(running, name, problems).recovered
     try:
         running.run(name, content)
@@ -112,6 +111,7 @@ def _read(name: str, content: bytes, context: Context, search: FileSearch, probl
 
 
 def _compiled_recovering(main: str, path: str, content: bytes) -> Program:
+    """Only the scene's own file goes on after a mistake."""
     return compile_text(path, content, recovering=True) if path == main else compiled(path, content)
 
 

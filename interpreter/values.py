@@ -8,10 +8,10 @@ attributes.
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import inf
+from math import inf, pi, tau
 from operator import itemgetter
 from struct import Struct
-from typing import Any, TypeAlias
+from typing import Any, Final, TypeAlias
 
 EPSILON = 1e-10
 """Numbers closer than this are equal to SDL; anything further from zero is true."""
@@ -200,3 +200,12 @@ def vector3(value: Any) -> tuple[float, float, float]:
         raise TypeError(f"expected a vector of three terms, found one of {len(value)}")
     a, b, c = widened(terms(value), 3)
     return a, b, c
+
+
+CONSTANT_WORDS: Final[dict[str, Any]] = {
+    "x": Vector((1.0, 0.0, 0.0)), "y": Vector((0.0, 1.0, 0.0)), "z": Vector((0.0, 0.0, 1.0)),
+    "u": Vector((1.0, 0.0)), "v": Vector((0.0, 1.0)), "t": Vector((0.0, 0.0, 0.0, 1.0)),
+    "pi": pi, "tau": tau,
+    "true": 1.0, "yes": 1.0, "on": 1.0, "false": 0.0, "no": 0.0, "off": 0.0,
+}  # fmt: skip
+"""Keywords that stand for a value, whatever the scene."""

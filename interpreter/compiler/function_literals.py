@@ -14,22 +14,9 @@ from minipov.grammar import tree
 from minipov.interpreter.compiler.calls import Calls
 from minipov.interpreter.compiler.shapes import EXPRESSIONS, argument_groups
 from minipov.interpreter.errors import SdlError
-from minipov.interpreter.runtime.evaluate import component_number
+from minipov.interpreter.functions import DEFAULT_PARAMETERS, FLOAT_FUNCTIONS, component_number, parameter_numbers
 
-DEFAULT_PARAMETERS: Final = ("x", "y", "z")
 _DEEPEST: Final = 100
-_ALIASES: Final = {"u": "x", "v": "y"}
-_UNARY_FUNCTIONS: Final = (
-    "abs", "acos", "acosh", "asin", "asinh", "atan", "atanh", "ceil", "cos", "cosh", "degrees", "exp", "floor", "int",
-    "ln", "log", "radians", "sin", "sinh", "sqrt", "tan", "tanh",
-)  # fmt: skip
-FLOAT_FUNCTIONS: Final = {
-    **dict.fromkeys(_UNARY_FUNCTIONS, (1, 1)),
-    **dict.fromkeys(("atan2", "mod", "pow"), (2, 2)),
-    **dict.fromkeys(("max", "min"), (1, 99)),
-    "select": (3, 4),
-}
-"""The functions that may stand in a function's body, and how many arguments they take."""
 
 
 class FunctionLiterals(Calls):
@@ -164,12 +151,6 @@ class FunctionLiterals(Calls):
 
     def _refused(self, message: str, node: tree.Node) -> ast.expr:
         return self._failing(SdlError(message), node)
-
-
-def parameter_numbers(parameters: Sequence[str] | None) -> dict[str, int]:
-    """The number of every name that a function's parameters have; None stands for x, y, z."""
-    scope = {name: number for number, name in enumerate(DEFAULT_PARAMETERS if parameters is None else parameters)}
-    return scope if parameters is not None else scope | {alias: scope[name] for alias, name in _ALIASES.items()}
 
 
 def _called(body: tree.Expression) -> set[str] | None:

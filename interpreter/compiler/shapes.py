@@ -4,20 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import pi, tau
 from typing import Any, Final
 
 from minipov.grammar import tree
 from minipov.grammar.lexer import unescape
 from minipov.interpreter.colors import COLOR_WORDS
-from minipov.interpreter.values import Vector
-
-CONSTANT_WORDS: Final[dict[str, Any]] = {
-    "x": Vector((1.0, 0.0, 0.0)), "y": Vector((0.0, 1.0, 0.0)), "z": Vector((0.0, 0.0, 1.0)),
-    "u": Vector((1.0, 0.0)), "v": Vector((0.0, 1.0)), "t": Vector((0.0, 0.0, 0.0, 1.0)),
-    "pi": pi, "tau": tau,
-    "true": 1.0, "yes": 1.0, "on": 1.0, "false": 0.0, "no": 0.0, "off": 0.0,
-}  # fmt: skip
+from minipov.interpreter.values import CONSTANT_WORDS, Vector
 
 ARITHMETIC: Final = frozenset("+-*/")
 EXPRESSIONS: Final = (

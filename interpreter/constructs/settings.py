@@ -35,14 +35,13 @@ SETTINGS_FIELDS: Final[dict[str, Field]] = {
     "noise_generator": _noise_generator,
     "number_of_waves": integer("number_of_waves"),
 }
-NOT_RENDERED: Final[dict[str, Field]] = {
+OBSOLETE: Final[dict[str, Field]] = {
     "hf_gray_16": lambda reader: {"hf_gray_16": reader.boolean()},
     "max_intersections": integer("max_intersections"),
-    "charset": lambda reader: {"charset": reader.word("ascii", "utf8", "sys") or "ascii"},
 }
-OBSOLETE: Final = ("hf_gray_16", "max_intersections")
+CHARSETS: Final = ("ascii", "utf8", "sys")
 BLOCKS: Final[dict[str, type]] = {"radiosity": Radiosity, "photons": Photons, "subsurface": SubsurfaceSettings}
-ACCEPTS: Final = (*SETTINGS_FIELDS, *NOT_RENDERED, *BLOCKS)
+ACCEPTS: Final = (*SETTINGS_FIELDS, *OBSOLETE, "charset", *BLOCKS)
 
 
 @construct(
@@ -60,13 +59,13 @@ def global_settings(reader: ItemReader, context: Context, sink: Sink) -> Block:
         if fields is not None:
             scene.settings = replace(scene.settings, **_checked(fields, context, place))
             continue
-        unused = read_fields(reader, NOT_RENDERED)
+        unused = read_fields(reader, OBSOLETE)
         if unused is not None:
-            word, value = next(iter(unused.items()))
-            if word == "charset":
-                scene.charset = value
-            elif word in OBSOLETE:
-                context.messages.warn_once(word, f"'{word}' has had no effect since version 3.7", place)
+            (word,) = unused
+            context.messages.warn_once(word, f"'{word}' has had no effect since version 3.7", place)
+            continue
+        if reader.word("charset"):
+            scene.charset = reader.word(*CHARSETS) or reader.fail(f"one of {', '.join(CHARSETS)}")
             continue
         said: dict[str, Any] = {word: value for word, kind in BLOCKS.items() if (value := reader.node(kind))}
         if not said:

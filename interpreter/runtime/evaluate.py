@@ -9,7 +9,8 @@ from minipov.interpreter.context import current_context
 from minipov.interpreter.errors import SdlError
 from minipov.interpreter.items import FunctionImage, Sink, Word, complete
 from minipov.interpreter.runtime.splines import evaluate
-from minipov.interpreter.values import COMPONENTS, Vector, kind_of
+from minipov.interpreter.values import Vector, kind_of
+from minipov.tracer import _core
 from minipov.tracer.function import (
     Accumulate,
     Call,
@@ -37,7 +38,6 @@ FUNCTIONS = (
     SplineFunction,
 )
 _COMPONENTS = {PigmentFunction: 5, TransformFunction: 3}
-_MIXTURES: Final = {"gray": -1, "grey": -1, "hf": -2}
 _HIGH: Final = 0.996093
 _WEIGHTS: Final = {-1: (0.297, 0.589, 0.114), -2: (_HIGH, _HIGH / 255.0, 0.0)}
 """Of red, green and blue; ``hf`` is the height that a height field takes from them."""
@@ -94,8 +94,6 @@ def compiled_function(function: Function) -> Any:
     known = _cache.get(id(function))
     if known is not None and known[0] is function:
         return known[1]
-    from minipov.tracer import _core
-
     try:
         context = current_context()
         compiled = _core.Function(function, context.noise_generator, context.scene.settings.number_of_waves)
@@ -123,11 +121,6 @@ def captured(value: Any) -> Constant:
     raise SdlError(
         f"expected a number in the function, found {kind_of(value)}", hint=hint if isinstance(value, Vector) else None
     )
-
-
-def component_number(name: str) -> int:
-    """The number of a component in a function's body: from 0, or below 0 for a mixture of them."""
-    return _MIXTURES.get(name, COMPONENTS.get(name, 9))
 
 
 def function_call(callee: Any, arguments: tuple[Expression, ...], component: int | None) -> Expression:
@@ -159,8 +152,6 @@ def accumulate(
     operator: Literal["sum", "prod"], index: int, first: Expression, last: Expression, body: Expression
 ) -> Accumulate:
     """``sum(i, first, last, body)`` or ``prod(...)``."""
-    from minipov.tracer import _core
-
     if isinstance(first, Constant) and isinstance(last, Constant) and last.value - first.value > _core.MOST_TURNS:
         raise SdlError(f"{operator}() from {first.value:g} to {last.value:g} would never end")
     return Accumulate(operator, index, first, last, body)

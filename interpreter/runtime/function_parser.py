@@ -8,12 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, Final
 
-from minipov.interpreter.compiler.function_literals import FLOAT_FUNCTIONS
-from minipov.interpreter.compiler.shapes import CONSTANT_WORDS
-from minipov.interpreter.errors import Place, SdlError
+from minipov.interpreter.errors import NotDeclaredError, Place, SdlError
+from minipov.interpreter.functions import FLOAT_FUNCTIONS, component_number
 from minipov.interpreter.items import Named, Punctuation, Word
-from minipov.interpreter.runtime.evaluate import accumulate, captured, component_number, function_call
-from minipov.interpreter.values import kind_of
+from minipov.interpreter.runtime.evaluate import accumulate, captured, function_call
+from minipov.interpreter.values import CONSTANT_WORDS, kind_of
 from minipov.tracer.function import Expression, Operation, Parameter
 
 _LEVELS: Final = ({"|"}, {"&"}, {"<", "<=", "=", "!=", ">=", ">"}, {"+", "-"}, {"*", "/"})
@@ -116,7 +115,7 @@ class FunctionParser:
             return captured(self._variable(token.name) if known is None else known)
         value = token.value if isinstance(token, Named) else token
         if value is None:
-            raise SdlError(f"'{token.name}' is not declared")
+            raise NotDeclaredError(token.name)
         if self._sign() != "(":
             return captured(value)
         arguments = self._arguments()

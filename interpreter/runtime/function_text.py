@@ -12,6 +12,7 @@ from typing import Any
 from minipov.grammar.errors import SdlSyntaxError
 from minipov.grammar.text import decode
 from minipov.interpreter.errors import Place, SdlError
+from minipov.interpreter.functions import DEFAULT_PARAMETERS, parameter_numbers
 from minipov.interpreter.items import Named
 from minipov.interpreter.runtime.macros import Macro
 from minipov.interpreter.runtime.names import Symbol
@@ -39,7 +40,6 @@ class FunctionTexts:
 
     def function_of_text(self, parameters: Sequence[str] | None, text: str, place: Place) -> ExpressionFunction:
         """The function whose body is ``text``; ``parameters`` None stands for x, y, z."""
-        from minipov.interpreter.compiler.function_literals import DEFAULT_PARAMETERS, parameter_numbers
         from minipov.interpreter.runtime.function_parser import FunctionParser
 
         run = self._compiled(text, place)

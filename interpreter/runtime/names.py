@@ -14,7 +14,7 @@ from typing import Any
 from minipov.grammar.keywords import KEYWORDS
 from minipov.interpreter.arrays import Array
 from minipov.interpreter.context import current_context
-from minipov.interpreter.errors import SdlError
+from minipov.interpreter.errors import NotDeclaredError, SdlError
 from minipov.interpreter.runtime.places import current_place
 from minipov.interpreter.values import kind_of
 from minipov.tracer.function import Function
@@ -112,7 +112,7 @@ class Undeclared:
         Raises:
             SdlError: always.
         """
-        raise SdlError(f"'{self.symbol.name}' is not declared", hint=self.symbol.names.hint(self.symbol.name))
+        raise NotDeclaredError(self.symbol.name, self.symbol.names.hint(self.symbol.name))
 
     @v.setter
     def v(self, value: Any) -> None:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from typing import Final
 
-from minipov.interpreter.errors import SdlError
+from minipov.interpreter.errors import HaltedError, NotDeclaredError, SdlError
 from minipov.interpreter.runtime.faults import explained
 from minipov.interpreter.runtime.program import Running
 
 _MOST: Final = 20
-_NOT_DECLARED: Final = re.compile(r"'(\w+)' is not declared")
 
 
 class Recovery:
@@ -31,14 +29,13 @@ class Recovery:
         error = explained(raised, self._running.sources)
         if declared is not None:
             self._lost.add(declared)
-        undeclared = _NOT_DECLARED.fullmatch(error.message)
-        known = undeclared is not None and undeclared[1] in self._lost
-        if undeclared is not None:
-            self._lost.add(undeclared[1])
+        known = isinstance(error, NotDeclaredError) and error.name in self._lost
+        if isinstance(error, NotDeclaredError):
+            self._lost.add(error.name)
         self._running.blocks.abandon()
         if known:
             return
-        hopeless = isinstance(raised, RecursionError | MemoryError) or error.message.startswith("halted by #error")
+        hopeless = isinstance(raised, RecursionError | MemoryError | HaltedError)
         if hopeless or error.place[0] != self._main or len(self.problems) + 1 >= _MOST:
             raise error
         self.problems.append(error)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from minipov.interpreter.errors import Message, Messages, Place, SdlError
+from minipov.interpreter.errors import HaltedError, Message, Messages, Place
 from minipov.interpreter.runtime.strings import text
 
 _DEBUG_LIMIT, _DEBUG_CUT = 200, 159
@@ -33,6 +33,6 @@ def warning(message: str) -> str:
     return shortened(text(message), _LIMIT, _CUT).removesuffix("\n")
 
 
-def halted(message: str) -> SdlError:
+def halted(message: str) -> HaltedError:
     """What ``#error`` raises."""
-    return SdlError(f"halted by #error: {shortened(text(message), _LIMIT, _CUT).strip()}")
+    return HaltedError(f"halted by #error: {shortened(text(message), _LIMIT, _CUT).strip()}")
