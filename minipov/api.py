@@ -16,6 +16,7 @@ from typing import Literal, TypeAlias, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from minipov.diagnostics import not_rendered
 from minipov.image_format import FileFormat
 from minipov.image_output import stored_channels
 from minipov.include_path import library_folders
@@ -105,7 +106,7 @@ def render(
     )
     job = start(graph, settings)
     for feature, place in job.unsupported:
-        messages.warn(f"{feature} is not rendered yet" + (f" ({place})" if place else ""))
+        messages.warn(not_rendered(feature, place))
     result = trace(job, on_progress or (lambda share: None))
     file = FileFormat("png" if encoding == "srgb" else "exr", alpha=alpha)
     channels = stored_channels(result.pixels.astype(np.float64), graph.settings.assumed_gamma, file)

@@ -24,6 +24,11 @@ def describe_message(message: Message) -> str:
     return message.text if message.kind == "debug" else f"{where(message.place)}{message.kind}: {message.text}"
 
 
+def not_rendered(feature: str, place: str) -> str:
+    """Return the warning about what the tracer leaves out; ``place`` is empty where it is not known."""
+    return f"{feature}: not rendered yet" + (f" ({place})" if place else "")
+
+
 def povray_lines(error: SdlError) -> str:
     """Return the lines by which programs recognise POV-Ray's parse errors."""
     file, line, _ = error.place

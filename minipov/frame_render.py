@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Literal
 
 from minipov.console import Console
+from minipov.diagnostics import not_rendered
 from minipov.frames import Frame
 from minipov.image_format import FileFormat
 from minipov.interpreter import Messages, load, load_text
@@ -57,7 +58,7 @@ class FrameRender:
         from minipov.image_output import write_image
 
         for feature, place in job.unsupported:
-            self.console.warn(f"{feature} is not rendered yet" + (f" ({place})" if place else ""))
+            self.console.warn(not_rendered(feature, place))
         working = graph.settings.assumed_gamma
         try:
             with self.console.progress(self.settings.width * self.settings.height) as progress:

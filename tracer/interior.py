@@ -76,6 +76,7 @@ class Interior:
     """What fills an object. ``fade_power`` 0 switches attenuation off.
 
     ``refraction`` is said by finishes of old scenes only: the share of light from behind a surface that is seen.
+    ``caustics`` is the power of the cosine by which light gathers in shadows; 0: it does not.
     """
 
     ior: float = 1.0

@@ -28,8 +28,6 @@ from minipov.tracer.texture import LayeredTexture, PlainTexture, Texture
 from minipov.tracer.values import BLACK
 
 NO_INTERIOR: Final = Interior()
-CAUSTIC_SHARPNESS: Final = 45.0
-"""How much sharper than by ``caustics`` of a finish light gathers by that of an interior (probed)."""
 
 
 @node
@@ -127,8 +125,6 @@ def _old_style(finish: Finish, said: dict[str, Any]) -> OldFinish:
     interior = finish.interior if isinstance(finish, OldFinish) else Interior()
     if said.get("refraction", 1.0) <= 0.0:
         said.pop("ior", None)
-    if "caustics" in said:
-        said["caustics"] /= CAUSTIC_SHARPNESS
     plain = {field.name: getattr(finish, field.name) for field in fields(Finish)}
     return OldFinish(**plain, interior=replace(interior, **said))
 

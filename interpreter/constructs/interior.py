@@ -13,11 +13,14 @@ from minipov.interpreter.registry import construct
 from minipov.tracer.interior import Interior, Media
 from minipov.tracer.node import replace
 
+CAUSTIC_SHARPNESS: Final = 45.0
+"""How much sharper light gathers by ``caustics`` of an interior than by that of an old finish (probed)."""
+
 INTERIOR_FIELDS: Final[dict[str, Field]] = {
     "ior": number("ior"),
     "dispersion": number("dispersion"),
     "dispersion_samples": lambda reader: {"dispersion_samples": reader.count(1000, 2)},
-    "caustics": number("caustics"),
+    "caustics": lambda reader: {"caustics": CAUSTIC_SHARPNESS * reader.float()},
     "fade_distance": number("fade_distance"),
     "fade_power": number("fade_power"),
     "fade_color": rgb("fade_color"),

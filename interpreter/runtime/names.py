@@ -173,6 +173,8 @@ class Names(dict[str, Symbol]):
 
     def hint(self, name: str) -> str | None:
         """What was probably meant by a name that stands for nothing."""
+        if name in KEYWORDS:
+            return f"'{name}' is a word of version {KEYWORDS[name].since}, which #version can ask for"
         known = [text for text, symbol in self.items() if symbol.declared]
         close = get_close_matches(name, [*known, *KEYWORDS], 1, 0.7)
         return f"did you mean '{close[0]}'?" if close else None

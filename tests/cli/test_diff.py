@@ -138,6 +138,7 @@ def test_a_folder_goes_on_after_a_hang_and_an_error(tmp_path: Path) -> None:
     (scenes / "c_refused.pov").write_text("// refuse\n" + WHITE)
     (scenes / "d_works.pov").write_text(WHITE)
     env = fake_povray(tmp_path, WHITE_CODES)
+    # Long enough for three programs to start on two busy cores; only the first scene uses it up.
     run = minipov("diff", "scenes", "--timeout", "15", "--json", "--jobs", "2", cwd=tmp_path, env=env)
     verdicts = {outcome["name"]: outcome["verdict"] for outcome in json.loads(run.stdout)}
     assert verdicts == {"a_hangs": "failed", "b_fails": "failed", "c_refused": "no reference", "d_works": "exact"}

@@ -75,7 +75,7 @@ def evidence_class(path: Path) -> str:
     if path.suffix == ".pov":
         header = path.read_text("utf-8").splitlines()[1]
         return header.removeprefix("// class: ").split()[0]
-    return "exact" if path.parent.name == "language" or path.name == "errors" else "tested"
+    return "exact" if path.parent.name == "language" else "tested"
 
 
 def _link(path: Path) -> str:

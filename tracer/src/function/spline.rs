@@ -22,7 +22,7 @@ fn each(f: impl Fn(usize) -> f64) -> Five {
 
 impl Spline {
     /// A spline through points sorted by parameter. With too few for its kind it is a simpler one; a cubic one between
-    /// fewer than four points has but one value, in their middle.
+    /// two points has but one value, in their middle.
     pub fn new(kind: SplineKind, points: &[(f64, Five)]) -> Spline {
         let (at, values): (Vec<f64>, Vec<Five>) = points.iter().copied().unzip();
         if let (SplineKind::Cubic, [(at, p), (_, q)]) = (kind, points) {

@@ -118,7 +118,7 @@ pub fn roots_within<const N: usize>(coefficients: &[f64], low: f64, high: f64) -
 #[inline]
 pub fn quadratic(a: f64, b: f64, c: f64) -> Few<2> {
     let mut roots = Few::new();
-    if a.abs() < 1e-14 * b.abs().max(c.abs()) {
+    if a == 0.0 {
         if b != 0.0 {
             roots.push(-c / (2.0 * b));
         }
@@ -173,5 +173,9 @@ mod tests {
         assert_eq!(&*quadratic(1.0, -1.5, 2.0), &[1.0, 2.0]);
         assert_eq!(&*quadratic(0.0, 1.0, -4.0), &[2.0]);
         assert!(quadratic(1.0, 0.0, 1.0).is_empty());
+        // However little is left of the square, it has two roots.
+        let [near, far] = quadratic(1e-33, -1.0, 4.0)[..] else { panic!("two roots") };
+        assert_eq!(near, 2.0);
+        assert!(far > 1e32);
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::color::{Rgb, Rgbft};
 use crate::graph::interior::{Density, DensityBlend};
 use crate::pattern::PatternKind;
-use crate::texture::{BlendMap, Builder, ColorMap, Pigment};
+use crate::texture::{BlendMap, Builder, Pigment};
 
 impl Builder {
     /// A density looks its colours up as a pigment does; without a map in those that pigments have by default.
@@ -17,7 +17,7 @@ impl Builder {
         };
         match &node.blend {
             None => Pigment::with_default_map(pattern),
-            Some(DensityBlend::Colors(map)) => Pigment::Colors(Arc::new((pattern, ColorMap::from(map)))),
+            Some(DensityBlend::Colors(map)) => Pigment::Colors(Arc::new((pattern, self.color_map(map)))),
             Some(DensityBlend::Map(map)) => {
                 let entries =
                     map.entries.iter().map(|(value, inner)| (*value, self.density(inner))).collect();

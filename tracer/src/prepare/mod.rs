@@ -51,6 +51,7 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
     let interiors = geometry.interiors.iter().map(|worn| (*worn.item).clone()).collect();
     let sky = Sky::new(scene, settings.alpha, &mut patterns);
     let atmosphere = Atmosphere::new(scene, &quality);
+    leave_out_settings(global, &mut patterns);
     unsupported.append(&mut patterns.unsupported);
     let uses_uv = patterns.uses_uv || geometry.uses_uv();
     let mut prepared = Scene {
@@ -79,6 +80,20 @@ pub fn prepare(scene: &graph::scene::Scene, settings: &RenderSettings) -> (Scene
     };
     prepared.place_camera();
     (prepared, unsupported)
+}
+
+/// Notes what of `global_settings` does nothing.
+fn leave_out_settings(global: &graph::settings::GlobalSettings, patterns: &mut Builder) {
+    if global
+        .photons
+        .as_ref()
+        .is_some_and(|photons| photons.save_file.is_some() || photons.load_file.is_some())
+    {
+        patterns.leave_out("files of photons");
+    }
+    if global.subsurface.as_ref().is_some_and(|subsurface| subsurface.radiosity) {
+        patterns.leave_out("radiosity under surfaces");
+    }
 }
 
 /// How photons are shot, if they are.

@@ -113,9 +113,11 @@ impl Builder<'_> {
     }
 
     fn layer(&mut self, plain: &graph::PlainTexture) -> Layer {
+        let anisotropic = plain.finish.subsurface.as_ref().is_some_and(|s| s.anisotropy != Rgb::BLACK);
         for (said, word) in [
             (plain.finish.fresnel != 0.0, "fresnel of a finish"),
             (plain.finish.use_alpha, "use_alpha of a finish"),
+            (anisotropic, "anisotropy of subsurface"),
         ] {
             if said {
                 self.patterns.leave_out(word);

@@ -14,9 +14,6 @@ use crate::pattern::SurfaceContext;
 use crate::prepare::Scene;
 use crate::texture::Pigment;
 
-/// Exponent of the cosine per unit of `caustics` (probed).
-const CAUSTIC_SHARPNESS: f64 = 45.0;
-
 /// What is fixed at a hit, whatever the texture.
 #[derive(Clone, Copy)]
 pub struct Spot<'a> {
@@ -187,7 +184,7 @@ impl Tracer<'_> {
             }
             // `caustics F`: light gathers where it goes straight through a surface; every layer adds to it (probed).
             let cos = layer.perturbed(spot, frame).dot(spot.path.ray.direction).abs();
-            passes * (1.0 + cos.powf(CAUSTIC_SHARPNESS * caustics))
+            passes * (1.0 + cos.powf(caustics))
         })
     }
 }

@@ -86,8 +86,6 @@ pub struct Tracer<'s> {
     pub counters: Counters,
     /// Random numbers of the current pixel.
     pub random: Random,
-    /// How far the next ray sees.
-    reach: f64,
     /// Number of rays that led to the current one.
     depth: u32,
     /// Number of rays on the way here that only went straight on.
@@ -119,7 +117,6 @@ impl<'s> Tracer<'s> {
             scene,
             counters: Counters::default(),
             random: Random::seeded(0, 0, 0),
-            reach: f64::INFINITY,
             depth: 0,
             straight: 0,
             under_surfaces: 0,
@@ -154,7 +151,6 @@ impl<'s> Tracer<'s> {
         let camera = &self.scene.camera;
         let interiors = camera.interiors.unwrap_or_else(|| self.scene.interiors_around(origin));
         let ray = Ray { origin, direction: direction.normalized() };
-        self.reach = camera.reach();
         self.trace(&Path { ray, interiors, kind: RayKind::Camera, band: None }, 1.0)
     }
 
@@ -195,7 +191,8 @@ impl<'s> Tracer<'s> {
             return (Radiance::BLACK, f64::INFINITY);
         }
         let geometry = &self.scene.geometry;
-        let reach = std::mem::replace(&mut self.reach, f64::INFINITY);
+        let from_camera = path.kind == RayKind::Camera && self.depth == 1 && self.straight == 0;
+        let reach = if from_camera { self.scene.camera.reach() } else { f64::INFINITY };
         let hit = geometry.nearest(&path.ray, NEAREST, reach, path.kind, &mut self.counters);
         let light_group = hit.and_then(|hit| geometry.looks(hit.node).light_group);
         let (mut seen, distance) = match hit {

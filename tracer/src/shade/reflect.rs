@@ -55,23 +55,23 @@ impl Tracer<'_> {
     }
 
     /// Light from the mirrored direction, times the mirror's share; `finish` is that of the mirror's layer.
-    pub(super) fn mirrored(&mut self, spot: &Spot, mirrored: &Mirrored, top: &Finish) -> Rgb {
+    pub(super) fn mirrored(&mut self, spot: &Spot, mirrored: &Mirrored, finish: &Finish) -> Rgb {
         if !self.scene.quality.reflection || mirrored.share == Rgb::BLACK {
             return Rgb::BLACK;
         }
-        let seen = self.reflected(spot, mirrored.normal, top, mirrored.weight);
+        let seen = self.reflected(spot, mirrored.normal, finish, mirrored.weight);
         let seen =
             if mirrored.exponent == 1.0 { seen } else { seen.map(|c| c.max(0.0).powf(mirrored.exponent)) };
         seen.mul_each(mirrored.share)
     }
 
     /// Light from the mirrored direction, coloured by a thin film.
-    pub(super) fn reflected(&mut self, spot: &Spot, normal: Vec3, top: &Finish, weight: f64) -> Rgb {
+    pub(super) fn reflected(&mut self, spot: &Spot, normal: Vec3, finish: &Finish, weight: f64) -> Rgb {
         let direction = mirror_direction(spot.path.ray.direction, normal, spot.normal);
         let ray = Ray { origin: spot.point, direction };
         let path = Path { ray, kind: RayKind::Reflected, ..*spot.path };
         let seen = self.trace(&path, weight).rgb;
-        match &top.irid {
+        match &finish.irid {
             Some(film) => self.film(film, spot, normal, direction, seen),
             None => seen,
         }

@@ -2,7 +2,8 @@
 //!
 //! A point of the slice is inside if h -> f(h) + p, begun at it, stays near the origin `max_iteration` times: within
 //! 1 + |p| for quaternions, 4 for hypercomplex numbers. A ray is followed in steps of 1 / `precision`, or wider ones far
-//! outside; where inside and outside change, the place is found by halving. What is thinner than a step may be missed, as in POV-Ray.
+//! outside; where inside and outside change, the place is found by halving. What is thinner than a step may be missed,
+//! as in POV-Ray.
 
 use super::hypercomplex::{Function, Number};
 use super::{Crossing, Primitive};

@@ -11,9 +11,6 @@ use crate::math::{vec3, Bounds, Ray, Vec3};
 /// Nearer crossings are not seen, as in POV-Ray; in the lathe's own measure.
 const NEAREST: f64 = 1e-4;
 
-/// A ray whose squared slope against the axis is smaller is as good as along it.
-const PARALLEL: f64 = 1e-20;
-
 /// A turned curve. A crossing's part is the number of the piece of the curve, `u` the place on it.
 #[derive(Clone, Debug)]
 pub struct Lathe {
@@ -63,14 +60,10 @@ impl Primitive for Lathe {
         let scale = ray.direction.length();
         let d = ray.direction / scale;
         let from = from.max(NEAREST / scale);
-        // Start near the axis, for precision.
-        let across = d.x * d.x + d.z * d.z;
-        let start = if across > PARALLEL {
-            -(ray.origin.x * d.x + ray.origin.z * d.z) / across
-        } else {
-            -ray.origin.y * d.y
-        };
+        // Start near the middle, for precision.
+        let start = -ray.origin.dot(d);
         let o = ray.origin + d * start;
+        let across = d.x * d.x + d.z * d.z;
         for (i, (segment, [radii, heights])) in self.segments.iter().zip(&self.ranges).enumerate() {
             let margin = 1e-9 * (1.0 + heights[1].abs().max(heights[0].abs()));
             let reach = radii[0].abs().max(radii[1].abs()) * (1.0 + 1e-9);

@@ -3,7 +3,7 @@
 use super::{offer_rising, Crossing, Primitive};
 use crate::accel::Counters;
 use crate::graph::shapes::Spindle;
-use crate::math::polynomial::roots_within;
+use crate::math::polynomial::{quadratic, roots_within};
 use crate::math::{vec3, Bounds, Ray, Vec3};
 use std::f64::consts::TAU;
 
@@ -21,9 +21,6 @@ pub struct Torus {
     pub spindle: Option<Spindle>,
 }
 
-/// A direction's squared distance from the axis below which it runs along it.
-const ALONG_AXIS: f64 = 1e-24;
-
 /// Where a ray enters and leaves the flat round box of the given radius and heights.
 pub fn within_ring(o: Vec3, d: Vec3, reach: f64, [low, high]: [f64; 2]) -> Option<(f64, f64)> {
     let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -35,16 +32,10 @@ pub fn within_ring(o: Vec3, d: Vec3, reach: f64, [low, high]: [f64; 2]) -> Optio
     }
     let a = d.x * d.x + d.z * d.z;
     let c = o.x * o.x + o.z * o.z - reach * reach;
-    // A ray along the axis but for rounding never leaves the cylinder sideways; else however steep it is, it does.
-    if a > ALONG_AXIS {
-        let b = o.x * d.x + o.z * d.z;
-        let square = b * b - a * c;
-        if square < 0.0 {
-            return None;
-        }
-        let q = -(b + square.sqrt().copysign(b));
-        let (s, t) = (q / a, if q == 0.0 { 0.0 } else { c / q });
-        (enter, leave) = (enter.max(s.min(t)), leave.min(s.max(t)));
+    if a > 0.0 {
+        let around = quadratic(a, o.x * d.x + o.z * d.z, c);
+        let [near, far] = around[..] else { return None };
+        (enter, leave) = (enter.max(near), leave.min(far));
     } else if c > 0.0 {
         return None;
     }

@@ -56,6 +56,14 @@ impl Builder {
         }
     }
 
+    /// A map whose colours are mixed as they are, whatever its `blend_mode`.
+    pub(crate) fn color_map(&mut self, map: &graph::ColorMap) -> ColorMap {
+        if map.blend_mode != 0 {
+            self.leave_out("blend_mode of a colour map");
+        }
+        ColorMap::from(map)
+    }
+
     /// A pigment of the graph, built when first met.
     pub fn pigment(&mut self, node: &Shared<graph::Pigment>) -> Pigment {
         if let Some(known) = self.pigments.get(&node.address()) {
@@ -82,10 +90,7 @@ impl Builder {
         match &node.blend {
             None => Pigment::with_default_map(pattern),
             Some(graph::PigmentBlend::Colors(map)) => {
-                if map.blend_mode > 1 {
-                    self.leave_out("blend_mode 2 or 3");
-                }
-                Pigment::Colors(Arc::new((pattern, ColorMap::from(map))))
+                Pigment::Colors(Arc::new((pattern, self.color_map(map))))
             }
             Some(graph::PigmentBlend::Pigments(map)) => {
                 let entries = map.entries.iter().map(|(v, p)| (*v, self.pigment(p))).collect();
