@@ -106,9 +106,9 @@ def _run(scene: Path, text: str, command: CommandLine) -> list[Finding]:
     errors = mistakes(scene, load_options(command, frames(command)[0], {}), messages)
     failed = [Finding("error", *error.place, error.message, error.hint, error.stack) for error in errors]
     if errors:
-        last = errors[-1].place
-        behind = last[1] if last[0] == str(scene) else 0
-        failed += [finding for finding in _suspected(scene, text, command) if finding.line > behind]
+        file, *last = errors[-1].place
+        behind = last if file == str(scene) else [0, 0]
+        failed += [one for one in _suspected(scene, text, command) if [one.line, one.column] > behind]
     warned = [message for message in messages.all if message.kind == "warning"]
     return [Finding("warning", *message.place, message.text) for message in warned] + failed
 
