@@ -225,6 +225,14 @@ impl Geometry {
         })
     }
 
+    /// Whether a ray is told all its crossings with the node.
+    pub fn tells_all(&self, node: NodeId) -> bool {
+        match &self.nodes[node as usize].solid {
+            Solid::Primitive { shape, .. } => shape.tells_all(),
+            Solid::Composite(_) => true,
+        }
+    }
+
     /// Whether `point` lies inside the node.
     pub fn inside(&self, point: Vec3, node: NodeId) -> bool {
         self.is_inside(node, point, &mut 0)

@@ -32,7 +32,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::accel::{Counters, RayKind};
 use crate::color::Rgb;
-use crate::geometry::NodeId;
+use crate::geometry::{Hit, NodeId};
 use crate::math::Ray;
 use crate::photon::PhotonMaps;
 use crate::prepare::Scene;
@@ -94,6 +94,8 @@ pub struct Tracer<'s> {
     under_surfaces: u32,
     /// The last occluder of each light.
     occluders: Vec<Option<NodeId>>,
+    /// Scratch for the transparent surfaces between a point and a lamp.
+    crossed: Vec<Hit>,
     /// Scratch for the points of an area light.
     grid: Vec<Option<Rgb>>,
     /// The mirrors of the surfaces that are being shaded, the innermost last.
@@ -121,6 +123,7 @@ impl<'s> Tracer<'s> {
             straight: 0,
             under_surfaces: 0,
             occluders: vec![None; scene.lights.len()],
+            crossed: Vec::new(),
             grid: Vec::new(),
             mirrors: Vec::new(),
             stretches: Vec::new(),

@@ -3,9 +3,10 @@
 use super::{Interiors, Path, Tracer};
 use crate::accel::RayKind;
 use crate::color::Rgb;
-use crate::geometry::Answer;
+use crate::geometry::{Answer, Hit};
 use crate::light::{Arrival, Light};
 use crate::math::{Ray, Vec3};
+use crate::shape::Crossing;
 
 /// Occluders nearer than this to the point or the lamp throw no shadow.
 const TOLERANCE: f64 = 1e-3;
@@ -93,36 +94,41 @@ impl Tracer<'_> {
                 return (Rgb::BLACK, None);
             }
         }
-        let mut meets_some = false;
+        let mut crossed = std::mem::take(&mut self.crossed);
+        crossed.clear();
         let blocked =
             scene.geometry.any(&ray, TOLERANCE, limit, RayKind::Shadow, &mut self.counters, |hit| {
                 if opaque(hit.node) {
                     *last = Some(hit.object);
                     Answer::Stop
                 } else {
-                    meets_some = true;
+                    crossed.push(*hit);
                     Answer::Continue
                 }
             });
-        if blocked {
+        let seen = if blocked {
             (Rgb::BLACK, None)
-        } else if meets_some || scene.is_murky(place.interiors, light) {
-            self.filtered(number, light, place, arrival)
-        } else {
+        } else if crossed.is_empty() && !scene.is_murky(place.interiors, light) {
             (arrival.color, None)
-        }
+        } else {
+            self.filtered(number, light, place, arrival, &mut crossed)
+        };
+        self.crossed = crossed;
+        seen
     }
 
     /// Light filtered by the transparent surfaces that it crosses and the media between, from the point to the lamp.
     ///
-    /// Behind each surface the way to the lamp is looked at anew, for objects that show a ray only their first surface.
+    /// Behind a surface of what tells a ray only its first crossings, the rest of the way is looked at anew.
     fn filtered(
         &mut self,
         number: u32,
         light: &Light,
         place: &Place,
         arrival: &Arrival,
+        crossed: &mut Vec<Hit>,
     ) -> (Rgb, Option<LastPart>) {
+        let scene = self.scene;
         let mut path = Path {
             ray: Ray { origin: place.point, direction: arrival.direction },
             interiors: *place.interiors,
@@ -131,22 +137,38 @@ impl Tracer<'_> {
         };
         let mut color = arrival.color;
         let mut left = arrival.distance - TOLERANCE;
-        while let Some(hit) =
-            self.scene.geometry.nearest(&path.ray, TOLERANCE, left, RayKind::Shadow, &mut self.counters)
-        {
-            let distance = hit.crossing.t;
-            if self.scene.is_murky(&path.interiors, light) {
+        crossed.sort_unstable_by(Hit::order);
+        // How many of those that are ahead have been looked at, and how far from where they are counted.
+        let (mut seen, mut done) = (0, 0.0);
+        while let Some(&hit) = crossed.get(seen) {
+            seen += 1;
+            let distance = hit.crossing.t - done;
+            if distance <= TOLERANCE {
+                continue;
+            }
+            if scene.is_murky(&path.interiors, light) {
                 color = color.mul_each(self.media_filter(&path, distance, light));
             }
             if color.max_element() <= 0.0 || self.photons_pass(number, hit.node, place) {
                 return (Rgb::BLACK, None);
             }
-            color = color.mul_each(self.surface_filter(&path, &hit));
+            let here = Hit { crossing: Crossing { t: distance, ..hit.crossing }, ..hit };
+            color = color.mul_each(self.surface_filter(&path, &here));
             path.ray.origin = path.ray.at(distance);
             left -= distance;
-            let interior = self.scene.body_of(hit.node);
+            done = hit.crossing.t;
+            let interior = scene.body_of(hit.node);
             if !path.interiors.leave(interior) {
                 path.interiors.enter(interior);
+            }
+            if !scene.geometry.tells_all(hit.node) {
+                crossed.clear();
+                scene.geometry.any(&path.ray, TOLERANCE, left, RayKind::Shadow, &mut self.counters, |hit| {
+                    crossed.push(*hit);
+                    Answer::Continue
+                });
+                crossed.sort_unstable_by(Hit::order);
+                (seen, done) = (0, 0.0);
             }
         }
         // Of the last part, up to a lamp in a medium, POV-Ray counts only the air.

@@ -216,6 +216,11 @@ impl Primitive for Isosurface {
         self.container.inside(point) && self.height(point) <= 0.0
     }
 
+    /// There may be more than `max_trace`.
+    fn tells_all(&self) -> bool {
+        false
+    }
+
     /// By differences over `accuracy`.
     fn normal(&self, point: Vec3, crossing: &Crossing) -> Vec3 {
         if crossing.part != SURFACE {

@@ -135,6 +135,11 @@ pub trait Primitive {
     fn solid(&self) -> bool {
         true
     }
+
+    /// Whether a ray is told all crossings, not only the first ones.
+    fn tells_all(&self) -> bool {
+        true
+    }
 }
 
 /// Offers parameters that come in rising order.
@@ -215,6 +220,9 @@ macro_rules! primitives {
             }
             fn solid(&self) -> bool {
                 match self { $(Shape::$variant(s) => s.solid()),* }
+            }
+            fn tells_all(&self) -> bool {
+                match self { $(Shape::$variant(s) => s.tells_all()),* }
             }
         }
     };

@@ -208,6 +208,11 @@ impl Primitive for Parametric {
         limit
     }
 
+    /// A ray is told where it meets the surface first.
+    fn tells_all(&self) -> bool {
+        false
+    }
+
     fn inside(&self, _: Vec3) -> bool {
         false
     }
